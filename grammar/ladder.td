@@ -1,0 +1,164 @@
+// The classes that instruction tables are made of. compiler/tables/tables.h says what each field means; grammar/README.md shows how
+// to add a record. A family's tables are grammar/<family>.td and the files that it includes.
+
+// ---------------------------------------------------------------------------------------------- families and devices
+class Model<string n> { string name = n; }
+
+class DeviceKind<string n> { string cpp = n; }
+def Bit : DeviceKind<"Bit">;
+def Word : DeviceKind<"Word">;
+def TimerDevice : DeviceKind<"Timer">;
+def CounterDevice : DeviceKind<"Counter">;
+def Nesting : DeviceKind<"Nesting">;
+def LabelDevice : DeviceKind<"Label">;
+def IndexDevice : DeviceKind<"Index">;
+
+class Points<string m, int n> { string model = m; int points = n; }
+
+// One device class: prefix as written, radix of the number, default points.
+class Device<string p, string t, DeviceKind k, int r, int n> {
+  string prefix = p;
+  string title = t;
+  DeviceKind kind = k;
+  int radix = r;
+  int points = n;
+  list<Points> modelPoints = [];
+  bit bitOfWord = 0;
+  bit externalInput = 0;
+  bit externalOutput = 0;
+  int memoryOrder = 0;
+  string image = p;
+  int pointsRegister = -1;
+  string behaviour = "";
+  string section = "";
+}
+
+class Special<string d, string n, string b, bit w, bit s, string sec> {
+  string device = d;
+  string name = n;
+  string behaviour = b;
+  bit writable = w;
+  bit simulated = s;
+  string section = sec;
+}
+
+class ErrorCode<int c, string n, string why, string what, bit s, string sec> {
+  int code = c;
+  string name = n;
+  string cause = why;
+  string action = what;
+  bit stops = s;
+  string section = sec;
+}
+
+// ---------------------------------------------------------------------------------------------- operands
+class OperandType<string n> { string cpp = n; }
+def OpBit : OperandType<"Bit">;
+def OpWord : OperandType<"Word">;
+def OpDWord : OperandType<"DWord">;
+def OpQWord : OperandType<"QWord">;
+def OpWordTwice : OperandType<"WordTwice">;
+def OpDWordTwice : OperandType<"DWordTwice">;
+def OpWordBlock : OperandType<"WordBlock">;
+def OpTimer : OperandType<"Timer">;
+def OpCounter : OperandType<"Counter">;
+def OpAnnunciator : OperandType<"Annunciator">;
+def OpLevel : OperandType<"Level">;
+def OpNumber : OperandType<"Number">;
+def OpLabel : OperandType<"Label">;
+
+// Which devices and constants may stand in an operand position.
+class Classes<list<Device> plain, list<Device> bitsOf = [], list<Device> digitsOf = []> {
+  list<Device> devices = plain;
+  list<Device> wordBits = bitsOf;
+  list<Device> digits = digitsOf;
+}
+
+class Operand<string n, string dir, OperandType t, Classes c> {
+  string name = n;
+  string direction = dir;   // "In", "Out", "InOut"
+  OperandType type = t;
+  Classes classes = c;
+  bit decimal = 0;
+  bit hexadecimal = 0;
+  int min = 0;              // both 0: the range of the type
+  int max = 0;
+  string note = "";
+}
+
+// ---------------------------------------------------------------------------------------------- instructions
+class Execution<string n> { string cpp = n; }
+def EveryScan : Execution<"EveryScan">;
+def WhileOn : Execution<"WhileOn">;
+def RisingEdge : Execution<"RisingEdge">;
+def FallingEdge : Execution<"FallingEdge">;
+
+class Placement<string n> { string cpp = n; }
+foreach p = ["Start", "Series", "Parallel", "JoinBlocks", "PushBranch", "ReadBranch", "PopBranch", "Output", "Alone", "Anywhere",
+             "BetweenRungs", "End"] in
+def At # p : Placement<p>;
+
+class Lowering<string n> { string cpp = n; }
+foreach l = ["Contact", "CompareContact", "AndBlock", "OrBlock", "PushBranch", "ReadBranch", "PopBranch", "Invert", "EdgeOfResult",
+             "EdgeRelay", "Store", "Set", "Reset", "PulseStore", "Toggle", "MasterControl", "MasterControlReset", "Call",
+             "CallWithResult", "Nothing", "End"] in
+def Lower # l : Lowering<l>;
+
+class CallStyle<string n> { string cpp = n; }
+foreach s = ["None", "Value", "Status", "Void", "Method", "System"] in
+def Style # s : CallStyle<s>;
+
+class Time<int ns, string when = "", string dev = ""> { int nanoseconds = ns; string condition = when; string device = dev; }
+
+// One form with one operand list. `f` is the form as the manual's tables name it; the spelling is its first word.
+class Instruction<string f, string m> {
+  string form = f;
+  string spelling = f;
+  string mnemonic = m;
+  list<string> aliases = [];
+  string title = "";
+  string description = "";
+  string category = "other";
+  string section = "";
+  string example = "";
+  list<string> models = [];
+  list<Operand> operands = [];
+  Execution execution = EveryScan;
+  Placement placement = AtOutput;
+  Lowering lowering = LowerCall;
+  bit negated = 0;
+  bit drives = 0;
+  Execution edge = EveryScan;
+  CallStyle style = StyleNone;
+  string function = "";
+  list<int> inputs = [];
+  list<int> outputs = [];
+  bit stopsScan = 0;
+  int errorCode = 0;
+  string errorMask = "";
+  list<string> errors = [];
+  int steps = 1;
+  int stepsPerConstant = 0;
+  int stepsSubset = 0;
+  bit equalDigits = 0;
+  list<Time> times = [];
+}
+
+// A family collects every record that is defined between `let family = ...` in its file; the backend is run once per family file.
+class Family<string i, string t, string man> {
+  string id = i;
+  string title = t;
+  string manual = man;
+  string header = "";
+  string ns = "";
+  list<string> models = [];
+  int maxBranches = 16;
+  int maxLevels = 15;
+  bit hasIndexRegisters = 0;
+  bit pairsCrossClasses = 0;
+  list<Device> devices = [];   // in the order of the documentation
+  int endNs = 0;
+  int ioRefreshNs = 0;
+  int ioRefreshPointNs = 0;
+  int notExecutedStepNs = 0;
+}
