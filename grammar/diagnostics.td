@@ -3,7 +3,7 @@
 // Text: lower case first letter unless it begins with a mnemonic or device, no full stop; say what is there and, if needed, the rule.
 // {name} is an argument. The record's name is the C++ enumerator, the id is public and never changes its meaning.
 
-class Ref<string fam, string sec, string c = ""> { string family = fam; string section = sec; string code = c; }
+class Ref<string fam, string sec, string c = ""> { string family = fam; string section = sec; string plc = c; }
 
 class Diagnostic<string i, string sev, string text> {
   string id = i;

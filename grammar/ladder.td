@@ -43,7 +43,7 @@ class Special<string d, string n, string b, bit w, bit s, string sec> {
 }
 
 class ErrorCode<int c, string n, string why, string what, bit s, string sec> {
-  int code = c;
+  int number = c;
   string name = n;
   string cause = why;
   string action = what;
@@ -67,7 +67,7 @@ def OpLevel : OperandType<"Level">;
 def OpNumber : OperandType<"Number">;
 def OpLabel : OperandType<"Label">;
 
-// Which devices and constants may stand in an operand position.
+// Which devices may stand in an operand position: as they are, by a bit (D0.5), by digits (K4X0).
 class Classes<list<Device> plain, list<Device> bitsOf = [], list<Device> digitsOf = []> {
   list<Device> devices = plain;
   list<Device> wordBits = bitsOf;
@@ -81,8 +81,8 @@ class Operand<string n, string dir, OperandType t, Classes c> {
   Classes classes = c;
   bit decimal = 0;
   bit hexadecimal = 0;
-  int min = 0;              // both 0: the range of the type
-  int max = 0;
+  int min = 0;              // of a constant, as a signed number; both 0: the range of the type. H constants must fit the width,
+  int max = 0;              // then count as the signed number of that bit pattern. Of a level: its first and last number
   string note = "";
 }
 
@@ -111,9 +111,14 @@ def Style # s : CallStyle<s>;
 class Time<int ns, string when = "", string dev = ""> { int nanoseconds = ns; string condition = when; string device = dev; }
 
 // One form with one operand list. `f` is the form as the manual's tables name it; the spelling is its first word.
+//
+// Calls: `inputs` are operand indexes in the order of the function's parameters, `outputs` those that the function writes. An
+// OpWordBlock is passed once, as a block: where it is written it stands in `inputs` at the place of its parameter and in `outputs`
+// too, so that everybody who asks what an instruction writes looks at `outputs` only (FMOV S D n: inputs [0, 1, 2], outputs [1]).
+// An InOut operand stands in both lists.
 class Instruction<string f, string m> {
   string form = f;
-  string spelling = f;
+  string spelling = !if(!lt(!find(f, " "), 0), f, !substr(f, 0, !find(f, " ")));
   string mnemonic = m;
   list<string> aliases = [];
   string title = "";
@@ -136,15 +141,16 @@ class Instruction<string f, string m> {
   bit stopsScan = 0;
   int errorCode = 0;
   string errorMask = "";
-  list<string> errors = [];
+  list<string> errors = [];   // "4100: the divisor is 0", for the documentation
   int steps = 1;
-  int stepsPerConstant = 0;
-  int stepsSubset = 0;
+  int stepsPerConstant = 0;   // for each K or H operand
+  int stepsSubset = 0;        // where every operand qualifies for subset processing; 0: as steps
   bit equalDigits = 0;
   list<Time> times = [];
 }
 
-// A family collects every record that is defined between `let family = ...` in its file; the backend is run once per family file.
+// The backend is run once per family file, grammar/<family>.td, which has one Family record: every Instruction, Special and ErrorCode
+// that the file defines or includes belongs to it. Devices are those of its list.
 class Family<string i, string t, string man> {
   string id = i;
   string title = t;

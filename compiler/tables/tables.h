@@ -170,7 +170,7 @@ struct InstructionInfo {
   llvm::StringRef error_mask; ///< special relay that suppresses the error while ON ("SM722"), or empty
   llvm::StringRef errors;     ///< "4100: a digit is not 0-9", lines for the documentation
   std::uint8_t steps;         ///< basic step count
-  std::uint8_t steps_per_constant;  ///< added for each constant of a 32-bit operand
+  std::uint8_t steps_per_constant;  ///< added for each K or H operand: 1 for 32-bit forms and S.QSABORT
   std::uint8_t steps_subset;  ///< step count when every operand qualifies for subset processing; 0: as `steps`
   std::uint8_t equal_digits;  ///< 1: digit counts of operands 0 and 1 must be equal when both are digit designations
   llvm::ArrayRef<TimeInfo> times;
@@ -183,6 +183,7 @@ struct SpecialInfo {
   bool writable;              ///< the program may write it
   bool simulated;             ///< the runtime keeps it; otherwise it is plain memory that the host may fill
   llvm::StringRef section;
+  std::int8_t constant = -1;  ///< 0 or 1: a relay that the system holds at that state in every scan; -1: it changes
 };
 
 struct ErrorInfo {

@@ -1,0 +1,1 @@
+// Messages about decoding a list and reading its lines.

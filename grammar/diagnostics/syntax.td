@@ -1,0 +1,1 @@
+// Messages about the words of a list line.
