@@ -33,7 +33,7 @@ struct ListLine {
   llvm::ArrayRef<Word> words;     ///< without the step number
   SourceRange comment;            ///< text without mark and outer blanks; length 0: none
   SourceRange statement;          ///< CSV line statement; length 0: none
-  SourceRange note;               ///< CSV note or P/I statement; length 0: none
+  SourceRange note;               ///< CSV note or P/I statement; length 0: none. Quotes in CSV texts stay doubled, as in the file
   bool starts_instruction = false;///< CSV: the instruction cell is filled, so the first word must be a mnemonic. Plain: unknown, false
   bool continues = false;         ///< CSV: the instruction cell is empty, so all words are operands of the instruction before
 };
@@ -45,5 +45,8 @@ ListFormat recognise_format(llvm::StringRef text);
 /// entered into `diagnostics` here.
 void read_list(const SourceBuffer &buffer, unsigned file, ListFormat format, llvm::StringSaver &saver, Diagnostics &diagnostics,
                llvm::function_ref<void(const ListLine &)> on_line);
+
+/// `--emit=lines`: what the reader made of every line, with its line number in the file.
+void print_lines(const SourceBuffer &buffer, unsigned file, ListFormat format, Diagnostics &diagnostics, llvm::raw_ostream &out);
 
 }  // namespace ladderc

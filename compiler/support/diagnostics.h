@@ -49,13 +49,20 @@ llvm::ArrayRef<DiagInfo> all_diagnostics();
 /// Null for an unknown id.
 const DiagInfo *find_diagnostic(llvm::StringRef id);
 
+/// A named argument of a message.
+struct DiagArg {
+  std::string name;
+  std::string value;
+  bool is_number;  ///< JSON writes it as a number
+};
+
 /// One message or note with its arguments filled in.
 struct Diagnostic {
   DiagId id;
   Severity severity;
   SourceRange range;
   std::string message;
-  std::vector<std::pair<std::string, std::string>> args;
+  std::vector<DiagArg> args;
   std::vector<Diagnostic> notes;
   std::int32_t step = -1;  ///< -1: not tied to a step
   std::int32_t rung = -1;
