@@ -13,6 +13,12 @@
 
 namespace ladderc {
 
+/// `Operand::index` of an operand with an index register in a family that has none.
+constexpr DeviceId kForeignIndex = 0xFE;
+
+/// The parser keeps no more operands of one instruction; it reports the first one beyond.
+constexpr unsigned kMaxOperands = 32;
+
 enum class OperandKind : std::uint8_t {
   Device,     ///< X1F, D100, T0, N1, P10
   BitOfWord,  ///< D0.5: device D, number 0, bit 5
@@ -27,7 +33,7 @@ struct Operand {
   DeviceId device = kNoDevice;
   std::uint8_t digits = 0;    ///< 1-8 where kind is Digits (as written: 0 and 9 are kept for sema to refuse)
   std::uint8_t bit = 0;       ///< 0-15 where kind is BitOfWord
-  DeviceId index = kNoDevice; ///< index register class where the operand is index modified (`D0Z1`)
+  DeviceId index = kNoDevice; ///< index register class where the operand is index modified (`D0Z1`), or kForeignIndex
   std::uint8_t index_number = 0;
   std::int64_t value = 0;     ///< device number, or the constant: K as written, H as an unsigned number
   SourceRange range;
@@ -49,7 +55,8 @@ enum class CommentKind : std::uint8_t {
   Note,       ///< the CSV's note of an output, or its P/I statement
 };
 
-/// `instruction` is the one that the comment stands behind (Line, Note) or before (Statement).
+/// `instruction` is the one that the comment stands behind (Line, Note) or before (Statement; behind the last instruction it is the
+/// count of instructions).
 struct Comment {
   std::uint32_t instruction;
   CommentKind kind;
