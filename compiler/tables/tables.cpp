@@ -1,7 +1,7 @@
 // The tables of all families, and looking things up in them.
 //
-// The arrays are constants written by grammar/tblgen. A family's mnemonics and prefixes are entered in hash tables once, at the first
-// look-up, because the parser asks a million times.
+// The arrays are constants written by grammar/tblgen. A family's mnemonics and prefixes are entered in hash tables once, at the
+// first look-up, because the parser asks a million times.
 #include "tables/tables.h"
 
 #include "llvm/ADT/STLExtras.h"
@@ -54,7 +54,9 @@ const FamilyIndex *index_of(const FamilyInfo &family) {
 
 }  // namespace
 
-llvm::ArrayRef<FamilyInfo> families() { return kFamilies; }
+llvm::ArrayRef<FamilyInfo> families() {
+  return kFamilies;
+}
 
 const FamilyInfo *find_family(llvm::StringRef id) {
   const FamilyInfo *found = llvm::find_if(kFamilies, [&](const FamilyInfo &family) { return family.id == id; });
@@ -80,7 +82,8 @@ llvm::ArrayRef<const InstructionInfo *> find_instructions(const FamilyInfo &fami
 }
 
 const ErrorInfo *find_error(const FamilyInfo &family, std::uint16_t code) {
-  const ErrorInfo *found = llvm::lower_bound(family.errors, code, [](const ErrorInfo &error, std::uint16_t c) { return error.code < c; });
+  const ErrorInfo *found =
+      llvm::lower_bound(family.errors, code, [](const ErrorInfo &error, std::uint16_t c) { return error.code < c; });
   return found != family.errors.end() && found->code == code ? found : nullptr;
 }
 

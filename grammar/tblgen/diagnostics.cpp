@@ -127,8 +127,10 @@ void emit_diagnostics(llvm::RecordKeeper &records, raw_ostream &out) {
 void emit_diagnostic_docs(llvm::RecordKeeper &records, raw_ostream &out) {
   std::vector<const Record *> diagnostics = read_diagnostics(records);
   llvm::sort(diagnostics, [](const Record *a, const Record *b) { return a->getValueAsString("id") < b->getValueAsString("id"); });
-  out << "# Diagnostics\n\nEvery message of `ladderc` by its id. `ladderc explain ID` prints the same page. A warning is silenced with\n"
-         "`-Wno-ID`, made an error with `-Werror=ID`, and allowed in one place with the comment `; ladderc: allow ID` on the line above.\n"
+  out << "# Diagnostics\n\nEvery message of `ladderc` by its id. `ladderc explain ID` prints the same page. A warning is silenced "
+         "with\n"
+         "`-Wno-ID`, made an error with `-Werror=ID`, and allowed in one place with the comment `; ladderc: allow ID` on the line "
+         "above.\n"
          "\nMade from `grammar/diagnostics.td`; do not edit.\n\n";
   for (StringRef severity : {"Error", "Warning", "Note"}) {
     bool first = true;

@@ -18,7 +18,9 @@ using llvm::PrintError;
 using llvm::PrintFatalError;
 using llvm::Twine;
 
-StringRef enumerator(const Record &record, StringRef field) { return record.getValueAsDef(field)->getValueAsString("cpp"); }
+StringRef enumerator(const Record &record, StringRef field) {
+  return record.getValueAsDef(field)->getValueAsString("cpp");
+}
 
 std::string quoted(StringRef text) {
   std::string result;
@@ -92,7 +94,8 @@ void check_device_list(const FamilyRecords &family, const Record &owner, const R
     StringRef prefix = device->getValueAsString("prefix");
     StringRef kind = enumerator(*device, "kind");
     if (!family.device_ids.contains(device))
-      PrintError(&owner, "operand " + operand.getValueAsString("name") + " takes '" + prefix + "', which is not a device of the family");
+      PrintError(&owner,
+                 "operand " + operand.getValueAsString("name") + " takes '" + prefix + "', which is not a device of the family");
     if (field == "digits" && kind != "Bit")
       PrintError(&owner, "operand " + operand.getValueAsString("name") + ": digits are of bit devices, '" + prefix + "' is none");
     if (field == "wordBits" && !device->getValueAsBit("bitOfWord"))
@@ -142,7 +145,8 @@ void check_call(const FamilyRecords &family, const Record &instruction) {
   if (calls && instruction.getValueAsString("function").empty() && style != "Value")
     PrintError(&instruction, "call style " + style + " needs a function; only an assignment (Value) has none");
   if ((style == "Status") != (code != 0))
-    PrintError(&instruction, style == "Status" ? "a Status call can fail and needs an errorCode" : "only a Status call has an errorCode");
+    PrintError(&instruction,
+               style == "Status" ? "a Status call can fail and needs an errorCode" : "only a Status call has an errorCode");
   if (code != 0 && llvm::none_of(family.errors, [&](const Record *e) { return e->getValueAsInt("number") == code; }))
     PrintError(&instruction, "the family has no error code " + Twine(code));
   StringRef mask = instruction.getValueAsString("errorMask");
@@ -182,14 +186,17 @@ void check_instruction(const FamilyRecords &family, const Record &instruction) {
 
 bool share_a_device(const Record &a, const Record &b, StringRef field) {
   std::vector<Record *> other = b.getValueAsDef("classes")->getValueAsListOfDefs(field);
-  return llvm::any_of(a.getValueAsDef("classes")->getValueAsListOfDefs(field), [&](Record *d) { return llvm::is_contained(other, d); });
+  return llvm::any_of(a.getValueAsDef("classes")->getValueAsListOfDefs(field),
+                      [&](Record *d) { return llvm::is_contained(other, d); });
 }
 
 /// True where one operand as written can stand in both positions.
 bool overlap(const Record &a, const Record &b) {
-  if (llvm::any_of(llvm::ArrayRef<StringRef>{"devices", "wordBits", "digits"}, [&](StringRef f) { return share_a_device(a, b, f); }))
+  if (llvm::any_of(llvm::ArrayRef<StringRef>{"devices", "wordBits", "digits"},
+                   [&](StringRef f) { return share_a_device(a, b, f); }))
     return true;
-  return (a.getValueAsBit("decimal") && b.getValueAsBit("decimal")) || (a.getValueAsBit("hexadecimal") && b.getValueAsBit("hexadecimal"));
+  return (a.getValueAsBit("decimal") && b.getValueAsBit("decimal")) ||
+         (a.getValueAsBit("hexadecimal") && b.getValueAsBit("hexadecimal"));
 }
 
 bool same_lines_fit(const Record &a, const Record &b) {
@@ -253,7 +260,8 @@ FamilyRecords read_family(llvm::RecordKeeper &records) {
   family.instructions = in_file_order(records, "Instruction");
   family.specials = in_file_order(records, "Special");
   family.errors = in_file_order(records, "ErrorCode");
-  llvm::stable_sort(family.errors, [](const Record *a, const Record *b) { return a->getValueAsInt("number") < b->getValueAsInt("number"); });
+  llvm::stable_sort(family.errors,
+                    [](const Record *a, const Record *b) { return a->getValueAsInt("number") < b->getValueAsInt("number"); });
   for (StringRef field : {"id", "title", "manual", "header", "ns"})
     if (family.family->getValueAsString(field).empty())
       PrintError(family.family, "the family has no " + field);

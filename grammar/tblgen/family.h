@@ -1,7 +1,7 @@
 // The records of one family, read and checked.
 //
-// All actions that work on a family start here, so that a table that breaks a rule stops the build with a message at the record and no
-// emitter has to look again. What the rules are is written beside each check in family.cpp.
+// All actions that work on a family start here, so that a table that breaks a rule stops the build with a message at the record and
+// no emitter has to look again. What the rules are is written beside each check in family.cpp.
 #pragma once
 
 #include "llvm/ADT/DenseMap.h"

@@ -15,7 +15,9 @@ namespace {
 
 using llvm::raw_ostream;
 
-std::string flag(bool value) { return value ? "true" : "false"; }
+std::string flag(bool value) {
+  return value ? "true" : "false";
+}
 
 /// Writes array definitions as they are asked for; the same text is written once.
 class Arrays {
@@ -56,7 +58,9 @@ std::string device_set(const FamilyRecords &family, const Record &classes, Strin
 }
 
 /// Constants outside of int's range get the suffix that keeps the compiler quiet.
-std::string number(std::int64_t value) { return std::to_string(value) + (value > 2147483647LL || value < -2147483647LL ? "LL" : ""); }
+std::string number(std::int64_t value) {
+  return std::to_string(value) + (value > 2147483647LL || value < -2147483647LL ? "LL" : "");
+}
 
 std::string operand_text(const FamilyRecords &family, const Record &operand) {
   const Record &classes = *operand.getValueAsDef("classes");
@@ -66,8 +70,8 @@ std::string operand_text(const FamilyRecords &family, const Record &operand) {
   out << "{" << quoted(operand.getValueAsString("name")) << ", Direction::" << operand.getValueAsString("direction")
       << ", OperandType::" << enumerator(operand, "type") << ", " << device_set(family, classes, "devices") << ", "
       << device_set(family, classes, "wordBits") << ", " << device_set(family, classes, "digits") << ", "
-      << flag(operand.getValueAsBit("decimal")) << ", " << flag(operand.getValueAsBit("hexadecimal")) << ", " << number(range.min) << ", "
-      << number(range.max) << ", " << quoted(operand.getValueAsString("note")) << "}";
+      << flag(operand.getValueAsBit("decimal")) << ", " << flag(operand.getValueAsBit("hexadecimal")) << ", " << number(range.min)
+      << ", " << number(range.max) << ", " << quoted(operand.getValueAsString("note")) << "}";
   return text;
 }
 
@@ -100,15 +104,16 @@ std::string instruction_text(const FamilyRecords &family, const Record &r, Array
   std::string result;
   llvm::raw_string_ostream out(result);
   out << "{" << text("form") << ", " << text("spelling") << ", " << arrays.strings(r.getValueAsListOfStrings("aliases")) << ", "
-      << text("mnemonic") << ", " << text("title") << ", " << text("description") << ", " << text("category") << ", " << text("section")
-      << ", " << text("example") << ", " << arrays.strings(r.getValueAsListOfStrings("models")) << ", "
+      << text("mnemonic") << ", " << text("title") << ", " << text("description") << ", " << text("category") << ", "
+      << text("section") << ", " << text("example") << ", " << arrays.strings(r.getValueAsListOfStrings("models")) << ", "
       << operand_array(family, r, arrays) << ", Execution::" << enumerator(r, "execution")
-      << ", Placement::" << enumerator(r, "placement") << ", Lowering::" << enumerator(r, "lowering") << ", " << bit("negated") << ", "
-      << bit("drives") << ", Execution::" << enumerator(r, "edge") << ", CallStyle::" << enumerator(r, "style") << ", "
+      << ", Placement::" << enumerator(r, "placement") << ", Lowering::" << enumerator(r, "lowering") << ", " << bit("negated")
+      << ", " << bit("drives") << ", Execution::" << enumerator(r, "edge") << ", CallStyle::" << enumerator(r, "style") << ", "
       << text("function") << ", " << index_array(r, "inputs", arrays) << ", " << index_array(r, "outputs", arrays) << ", "
       << bit("stopsScan") << ", " << integer("errorCode") << ", " << text("errorMask") << ", "
-      << quoted(llvm::join(r.getValueAsListOfStrings("errors"), "\n")) << ", " << integer("steps") << ", " << integer("stepsPerConstant")
-      << ", " << integer("stepsSubset") << ", " << (r.getValueAsBit("equalDigits") ? "1" : "0") << ", " << time_array(r, arrays) << "}";
+      << quoted(llvm::join(r.getValueAsListOfStrings("errors"), "\n")) << ", " << integer("steps") << ", "
+      << integer("stepsPerConstant") << ", " << integer("stepsSubset") << ", " << (r.getValueAsBit("equalDigits") ? "1" : "0")
+      << ", " << time_array(r, arrays) << "}";
   return result;
 }
 
@@ -122,22 +127,22 @@ std::string device_text(const Record &r, Arrays &arrays) {
   out << "{" << quoted(r.getValueAsString("prefix")) << ", " << quoted(r.getValueAsString("title"))
       << ", DeviceKind::" << enumerator(r, "kind") << ", " << r.getValueAsInt("radix") << ", " << r.getValueAsInt("points") << ", "
       << model_points << ", " << flag(r.getValueAsBit("bitOfWord")) << ", " << flag(r.getValueAsBit("externalInput")) << ", "
-      << flag(r.getValueAsBit("externalOutput")) << ", " << r.getValueAsInt("memoryOrder") << ", " << quoted(r.getValueAsString("image"))
-      << ", " << r.getValueAsInt("pointsRegister") << ", " << quoted(r.getValueAsString("behaviour")) << ", "
-      << quoted(r.getValueAsString("section")) << "}";
+      << flag(r.getValueAsBit("externalOutput")) << ", " << r.getValueAsInt("memoryOrder") << ", "
+      << quoted(r.getValueAsString("image")) << ", " << r.getValueAsInt("pointsRegister") << ", "
+      << quoted(r.getValueAsString("behaviour")) << ", " << quoted(r.getValueAsString("section")) << "}";
   return result;
 }
 
 std::string special_text(const Record &r) {
   return "{" + quoted(r.getValueAsString("device")) + ", " + quoted(r.getValueAsString("name")) + ", " +
-         quoted(r.getValueAsString("behaviour")) + ", " + flag(r.getValueAsBit("writable")) + ", " + flag(r.getValueAsBit("simulated")) +
-         ", " + quoted(r.getValueAsString("section")) + "}";
+         quoted(r.getValueAsString("behaviour")) + ", " + flag(r.getValueAsBit("writable")) + ", " +
+         flag(r.getValueAsBit("simulated")) + ", " + quoted(r.getValueAsString("section")) + "}";
 }
 
 std::string error_text(const Record &r) {
   return "{" + std::to_string(r.getValueAsInt("number")) + ", " + quoted(r.getValueAsString("name")) + ", " +
-         quoted(r.getValueAsString("cause")) + ", " + quoted(r.getValueAsString("action")) + ", " + flag(r.getValueAsBit("stops")) + ", " +
-         quoted(r.getValueAsString("section")) + "}";
+         quoted(r.getValueAsString("cause")) + ", " + quoted(r.getValueAsString("action")) + ", " + flag(r.getValueAsBit("stops")) +
+         ", " + quoted(r.getValueAsString("section")) + "}";
 }
 
 /// The records of one kind; `{}` stands for the array where there are none.
@@ -165,18 +170,19 @@ void emit_family(llvm::RecordKeeper &records, raw_ostream &out) {
       << "namespace ladderc::" << r.getValueAsString("ns") << "_tables {\n\n";
   Arrays arrays(out);
   std::string models = arrays.strings(r.getValueAsListOfStrings("models"));
-  std::string devices = emit_array(out, "DeviceInfo", "kDevices", family.devices, [&](const Record &d) { return device_text(d, arrays); });
+  std::string devices =
+      emit_array(out, "DeviceInfo", "kDevices", family.devices, [&](const Record &d) { return device_text(d, arrays); });
   std::string instructions = emit_array(out, "InstructionInfo", "kInstructions", family.instructions,
                                         [&](const Record &i) { return instruction_text(family, i, arrays); });
   std::string specials = emit_array(out, "SpecialInfo", "kSpecials", family.specials, special_text);
   std::string errors = emit_array(out, "ErrorInfo", "kErrors", family.errors, error_text);
   out << "constexpr FamilyInfo kFamily = {\n    " << quoted(family.id()) << ", " << quoted(r.getValueAsString("title")) << ", "
-      << quoted(r.getValueAsString("manual")) << ", " << quoted(r.getValueAsString("header")) << ", " << quoted(r.getValueAsString("ns"))
-      << ", " << models << ", " << integer("maxBranches") << ", " << integer("maxLevels") << ", "
-      << flag(r.getValueAsBit("hasIndexRegisters")) << ", " << flag(r.getValueAsBit("pairsCrossClasses")) << ",\n    " << devices << ", "
-      << instructions << ", " << specials << ", " << errors << ", " << integer("endNs") << ", " << integer("ioRefreshNs") << ", "
-      << integer("ioRefreshPointNs") << ", " << integer("notExecutedStepNs") << "};\n\n}  // namespace ladderc::"
-      << r.getValueAsString("ns") << "_tables\n";
+      << quoted(r.getValueAsString("manual")) << ", " << quoted(r.getValueAsString("header")) << ", "
+      << quoted(r.getValueAsString("ns")) << ", " << models << ", " << integer("maxBranches") << ", " << integer("maxLevels")
+      << ", " << flag(r.getValueAsBit("hasIndexRegisters")) << ", " << flag(r.getValueAsBit("pairsCrossClasses")) << ",\n    "
+      << devices << ", " << instructions << ", " << specials << ", " << errors << ", " << integer("endNs") << ", "
+      << integer("ioRefreshNs") << ", " << integer("ioRefreshPointNs") << ", " << integer("notExecutedStepNs")
+      << "};\n\n}  // namespace ladderc::" << r.getValueAsString("ns") << "_tables\n";
 }
 
 }  // namespace ladderc::tblgen

@@ -1,0 +1,140 @@
+// What holds for the records of every family.
+#include "tables/tables.h"
+
+#include "llvm/ADT/STLExtras.h"
+
+#include "gmock/gmock.h"
+#include "gtest/gtest.h"
+
+#include <set>
+
+using namespace ladderc;
+
+namespace {
+
+template <typename Check> void for_each_instruction(Check check) {
+  for (const FamilyInfo &family : families())
+    for (const InstructionInfo &info : family.instructions) {
+      SCOPED_TRACE(family.id.str() + ": " + info.form.str());
+      check(family, info);
+    }
+}
+
+TEST(Records, HaveAllTexts) {
+  for_each_instruction([](const FamilyInfo &, const InstructionInfo &info) {
+    for (llvm::StringRef text :
+         {info.form, info.spelling, info.mnemonic, info.title, info.description, info.category, info.section})
+      EXPECT_FALSE(text.empty());
+  });
+}
+
+TEST(Records, ShowThemselvesInTheirExample) {
+  for_each_instruction([](const FamilyInfo &, const InstructionInfo &info) {
+    bool shown = false;
+    llvm::SmallVector<llvm::StringRef> lines;
+    info.example.split(lines, '\n');
+    for (llvm::StringRef line : lines)
+      shown |= line.split(' ').first == info.spelling && static_cast<std::size_t>(line.count(' ')) == info.operands.size();
+    EXPECT_TRUE(shown) << info.example.str();
+    EXPECT_EQ(lines.back(), "END");
+  });
+}
+
+TEST(Records, SpellingIsTheFirstWordOfTheForm) {
+  for_each_instruction(
+      [](const FamilyInfo &, const InstructionInfo &info) { EXPECT_EQ(info.spelling, info.form.split(' ').first); });
+}
+
+/// True where one operand as written can stand in both positions.
+bool overlap(const OperandInfo &a, const OperandInfo &b) {
+  return (a.devices & b.devices) || (a.word_bits & b.word_bits) || (a.digits & b.digits) || (a.decimal && b.decimal) ||
+         (a.hexadecimal && b.hexadecimal);
+}
+
+TEST(Records, OperandsChooseTheEntry) {
+  for_each_instruction([](const FamilyInfo &family, const InstructionInfo &info) {
+    for (const InstructionInfo *other : find_instructions(family, info.spelling)) {
+      if (other == &info || other->operands.size() != info.operands.size())
+        continue;
+      bool all = true;
+      for (auto [a, b] : llvm::zip(info.operands, other->operands))
+        all &= overlap(a, b);
+      EXPECT_FALSE(all) << "an operand list fits this entry and another of '" << info.spelling.str() << "'";
+    }
+  });
+}
+
+TEST(Records, IndexesNameOperandsOfTheRightDirection) {
+  for_each_instruction([](const FamilyInfo &, const InstructionInfo &info) {
+    for (std::uint8_t index : info.outputs) {
+      ASSERT_LT(index, info.operands.size());
+      EXPECT_NE(info.operands[index].dir, Direction::In);
+    }
+    for (std::uint8_t index : info.inputs) {
+      ASSERT_LT(index, info.operands.size());
+      const OperandInfo &operand = info.operands[index];
+      EXPECT_TRUE(operand.dir != Direction::Out || operand.type == OperandType::WordBlock);
+    }
+  });
+}
+
+TEST(Records, ConstantsAreNotWritten) {
+  for_each_instruction([](const FamilyInfo &, const InstructionInfo &info) {
+    for (const OperandInfo &operand : info.operands) {
+      if (operand.decimal || operand.hexadecimal) {
+        EXPECT_EQ(operand.dir, Direction::In) << operand.name.str();
+        EXPECT_LT(operand.min, operand.max) << operand.name.str();
+      }
+    }
+  });
+}
+
+TEST(Records, OnlyStatusCallsCanFail) {
+  for_each_instruction([](const FamilyInfo &family, const InstructionInfo &info) {
+    EXPECT_EQ(info.style == CallStyle::Status, info.error_code != 0);
+    if (info.error_code != 0) {
+      EXPECT_NE(find_error(family, info.error_code), nullptr);
+      EXPECT_TRUE(info.errors.starts_with(std::to_string(info.error_code))) << info.errors.str();
+    }
+  });
+}
+
+TEST(Records, DeviceSetsHoldTheirOwnKinds) {
+  for_each_instruction([](const FamilyInfo &family, const InstructionInfo &info) {
+    for (const OperandInfo &operand : info.operands)
+      for (std::size_t id = 0; id < 64; ++id) {
+        auto device = static_cast<DeviceId>(id);
+        if (contains(operand.devices | operand.word_bits | operand.digits, device)) {
+          ASSERT_LT(id, family.devices.size());
+        }
+        if (contains(operand.digits, device)) {
+          EXPECT_EQ(family.devices[id].kind, DeviceKind::Bit);
+        }
+        if (contains(operand.word_bits, device)) {
+          EXPECT_TRUE(family.devices[id].bit_of_word);
+        }
+      }
+  });
+}
+
+TEST(Records, MemoryOrderIsAnOrder) {
+  for (const FamilyInfo &family : families()) {
+    std::set<int> places;
+    for (const DeviceInfo &device : family.devices) {
+      if (device.memory_order != 0) {
+        EXPECT_TRUE(places.insert(device.memory_order).second) << device.prefix.str();
+      }
+    }
+  }
+}
+
+TEST(Records, SpecialDevicesAreDevicesOfTheFamily) {
+  for (const FamilyInfo &family : families())
+    for (const SpecialInfo &special : family.specials) {
+      llvm::StringRef prefix = special.device.take_until([](char c) { return c >= '0' && c <= '9'; });
+      EXPECT_NE(find_device(family, prefix), kNoDevice) << special.device.str();
+      EXPECT_FALSE(special.name.empty() || special.behaviour.empty() || special.section.empty()) << special.device.str();
+    }
+}
+
+}  // namespace
