@@ -6,7 +6,11 @@
 #include "gmock/gmock.h"
 #include "gtest/gtest.h"
 
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <set>
+#include <string>
 
 using namespace ladderc;
 
@@ -114,6 +118,25 @@ TEST(Records, DeviceSetsHoldTheirOwnKinds) {
           EXPECT_TRUE(family.devices[id].bit_of_word);
         }
       }
+  });
+}
+
+std::string runtime_headers() {
+  std::string text;
+  for (const auto &entry : std::filesystem::recursive_directory_iterator(LADDERC_SOURCE_DIR "/runtime/include/ladder"))
+    if (entry.is_regular_file()) {
+      std::ifstream file(entry.path());
+      text.append(std::istreambuf_iterator<char>(file), {});
+    }
+  return text;
+}
+
+TEST(Records, FunctionsAreInTheRuntime) {
+  const std::string headers = runtime_headers();
+  for_each_instruction([&](const FamilyInfo &, const InstructionInfo &info) {
+    if (!info.function.empty()) {
+      EXPECT_NE(headers.find(" " + info.function.str() + "("), std::string::npos) << info.function.str();
+    }
   });
 }
 
