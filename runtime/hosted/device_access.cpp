@@ -3,29 +3,30 @@
 // The object is foreign memory: everything is copied bytewise, so that no type of the program needs to be known here.
 #include "ladder/hosted/device_access.h"
 
+#include "ladder/counter.h"
+#include "ladder/timer.h"
+
+#include <cstddef>
 #include <cstring>
 
 namespace ladder::hosted {
 namespace {
 
-/// As ladder::Timer and ladder::Counter lie in memory.
-struct TimerLayout {
-  std::int16_t value;
-  unsigned char contact, coil;
-};
-static_assert(sizeof(TimerLayout) == 4);
+static_assert(sizeof(Timer) == 4 && sizeof(bit) == 1 && sizeof(Timer::value) == 2);
+static_assert(sizeof(Counter) == sizeof(Timer) && offsetof(Counter, value) == offsetof(Timer, value) &&
+              offsetof(Counter, contact) == offsetof(Timer, contact) && offsetof(Counter, coil) == offsetof(Timer, coil));
 
 std::uint64_t side_key(const DeviceRef &ref, std::uint32_t number) {
   return std::uint64_t{ref.device} << 40 | std::uint64_t{static_cast<unsigned char>(ref.part)} << 32 | number;
 }
 
 std::size_t timer_bit(const DeviceRef &ref, std::uint32_t number) {
-  std::size_t member = ref.part == Part::Coil ? offsetof(TimerLayout, coil) : offsetof(TimerLayout, contact);
-  return number * sizeof(TimerLayout) + member;
+  std::size_t member = ref.part == Part::Coil ? offsetof(Timer, coil) : offsetof(Timer, contact);
+  return number * sizeof(Timer) + member;
 }
 
 std::size_t word_offset(const DeviceRef &ref, std::uint32_t number) {
-  return ref.part == Part::Current ? number * sizeof(TimerLayout) + offsetof(TimerLayout, value) : number * sizeof(std::uint16_t);
+  return ref.part == Part::Current ? number * sizeof(Timer) + offsetof(Timer, value) : number * sizeof(std::uint16_t);
 }
 
 struct PackedPlace {
