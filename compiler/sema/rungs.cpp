@@ -1,0 +1,276 @@
+// Rungs, blocks and branches.
+//
+//     LD X0 / MPS / AND X1 / OUT Y0 / MPP / LD X2 / OR X3 / ANB / OUT Y1 / LD X4 / ...
+//
+// An LD opens a block. It begins a new rung where the instruction before is an output, one block is open and no branch; everywhere else
+// its block lies inside the rung and waits for ANB or ORB. Outputs leave the result, so a contact behind an output goes on with it.
+//
+// One cause, one error: a rung that has an error is repaired as well as can be and reports no more; the next rung is clean again. A
+// branch that is never taken back would swallow all rungs behind it, hence an LD directly behind an output is taken for the next rung
+// as soon as its block turns out not to be joined. An unknown instruction may have been anything: its rung reports nothing further.
+#include "sema/rungs.h"
+
+#include "llvm/ADT/STLExtras.h"
+
+namespace ladderc::sema {
+
+void Rungs::visit(InstructionIndex index) {
+  Instruction &instruction = context_.instruction(index);
+  instruction.rung = open_ ? rung_ : rung_ + 1;
+  if (!instruction.info)
+    unknown(index);
+  else
+    place(index, instruction.info->placement);
+}
+
+void Rungs::place(InstructionIndex index, Placement placement) {
+  switch (placement) {
+  case Placement::Start:
+    return start(index);
+  case Placement::Series:
+  case Placement::Parallel: {
+    Lowering lowering = context_.instruction(index).info->lowering;
+    bool contact = lowering == Lowering::Contact || lowering == Lowering::CompareContact;
+    need_block(index, contact ? DiagId::NoOpenBlock : DiagId::NeedsCondition);
+    return leave_result(index);
+  }
+  case Placement::JoinBlocks:
+    return join(index);
+  case Placement::PushBranch:
+    return push_branch(index);
+  case Placement::ReadBranch:
+    return read_branch(index, false);
+  case Placement::PopBranch:
+    return read_branch(index, true);
+  case Placement::Output:
+    return output(index);
+  case Placement::Alone:
+  case Placement::End:
+    return stand_alone(index);
+  case Placement::BetweenRungs:
+    return between_rungs(index);
+  case Placement::Anywhere:
+    return;
+  }
+}
+
+// ---------------------------------------------------------------------------------------------- placements
+
+void Rungs::start(InstructionIndex index) {
+  bool closed = branches_.empty() && blocks_.size() == 1;
+  bool behind_output = last_ == Last::Output && (closed || failed_ != kNoInstruction);
+  bool behind_unknown = last_ == Last::Unknown && closed;
+  if (!open_ || behind_output || behind_unknown) {
+    begin_rung(index);
+    after_unknown_ = behind_unknown;
+  } else {
+    continue_rung(index);
+  }
+  blocks_.push_back({index, last_ == Last::Output});
+  leave_result(index);
+}
+
+void Rungs::join(InstructionIndex index) {
+  continue_rung(index);
+  if (blocks_.size() >= 2) {
+    blocks_.pop_back();
+  } else {
+    if (blocks_.size() == 1 && after_unknown_)
+      failed_ = index;
+    else if (auto diagnostic = fail(DiagId::JoinWithoutBlocks, index))
+      diagnostic->arg("mnemonic", context_.instruction(index).info->spelling).arg("count", blocks_.empty() ? "none" : "only one");
+    if (blocks_.empty())
+      blocks_.push_back({index, false});
+  }
+  leave_result(index);
+}
+
+void Rungs::push_branch(InstructionIndex index) {
+  need_block(index, DiagId::NeedsCondition);
+  unsigned max = context_.family.max_branches;
+  if (branches_.size() >= max)
+    if (auto diagnostic = fail(DiagId::BranchTooDeep, index))
+      diagnostic->arg("count", static_cast<long long>(branches_.size() + 1))
+          .arg("max", max)
+          .note(DiagId::OpenBranchSince, context_.instruction(branches_.front().opened_by).range);
+  branches_.push_back({index, blocks_.size()});
+  leave_result(index);
+}
+
+void Rungs::read_branch(InstructionIndex index, bool pop) {
+  continue_rung(index);
+  if (branches_.empty()) {
+    if (auto diagnostic = fail(DiagId::NoOpenBranch, index))
+      if (last_pop_ != kNoInstruction)
+        diagnostic->note(DiagId::TakenBack, context_.instruction(last_pop_).range)
+            .arg("mnemonic", context_.instruction(last_pop_).info->spelling);
+    if (blocks_.empty())
+      blocks_.push_back({index, false});
+  } else {
+    std::size_t depth = branches_.back().depth;
+    if (blocks_.size() > depth) {
+      report_open_block(blocks_[depth].opened_by, index);
+      blocks_.truncate(depth);
+    }
+    if (pop) {
+      branches_.pop_back();
+      last_pop_ = index;
+    }
+  }
+  unused_ = kNoInstruction;  // the result so far gives way to the kept one
+  leave_result(index);
+}
+
+void Rungs::output(InstructionIndex index) {
+  need_block(index, DiagId::NeedsCondition);
+  split_behind_open_branch(index);
+  if (blocks_.size() > 1) {
+    report_open_block(blocks_[1].opened_by, index);
+    blocks_.truncate(1);
+  }
+  last_ = Last::Output;
+  unused_ = kNoInstruction;
+}
+
+/// MCR and END: close the rung before and are one of their own.
+void Rungs::stand_alone(InstructionIndex index) {
+  end_rung(index);
+  context_.instruction(index).rung = ++rung_;
+}
+
+void Rungs::between_rungs(InstructionIndex index) {
+  if (!open_)
+    return;
+  if (last_ == Last::Output && branches_.empty())
+    page_feed_ = index;
+  else if (failed_ == kNoInstruction)
+    context_.report(DiagId::NoplfInRung, index).arg("mnemonic", context_.instruction(index).info->spelling);
+}
+
+void Rungs::unknown(InstructionIndex index) {
+  page_feed_ = kNoInstruction;
+  continue_rung(index);
+  if (blocks_.empty())
+    blocks_.push_back({index, false});
+  if (failed_ == kNoInstruction)
+    failed_ = index;
+  last_ = Last::Unknown;
+  unused_ = kNoInstruction;
+}
+
+// ---------------------------------------------------------------------------------------------- the life of a rung
+
+void Rungs::begin_rung(InstructionIndex index) {
+  open_ = true;
+  context_.instruction(index).rung = ++rung_;
+  blocks_.clear();
+  branches_.clear();
+  last_ = Last::Nothing;
+  unused_ = failed_ = last_pop_ = page_feed_ = kNoInstruction;
+  after_unknown_ = false;
+}
+
+/// The instruction belongs to the rung that is open; begins one where none is.
+void Rungs::continue_rung(InstructionIndex index) {
+  if (!open_)
+    return begin_rung(index);
+  if (page_feed_ != kNoInstruction && failed_ == kNoInstruction)
+    context_.report(DiagId::NoplfInRung, page_feed_).arg("mnemonic", context_.instruction(page_feed_).info->spelling);
+  page_feed_ = kNoInstruction;
+}
+
+/// Continues the rung with something that works on the result of a block.
+void Rungs::need_block(InstructionIndex index, DiagId id) {
+  continue_rung(index);
+  if (!blocks_.empty())
+    return;
+  if (auto diagnostic = fail(id, index))
+    diagnostic->arg("mnemonic", context_.instruction(index).info->spelling);
+  blocks_.push_back({index, false});
+}
+
+/// The instruction leaves a result that some output has to use.
+void Rungs::leave_result(InstructionIndex index) {
+  last_ = Last::Contact;
+  if (unused_ == kNoInstruction)
+    unused_ = index;
+}
+
+/// Closes the rung before MCR or END, or at the end of the list (`before` is kNoInstruction then).
+void Rungs::end_rung(InstructionIndex before) {
+  if (!open_)
+    return;
+  split_behind_open_branch(before == kNoInstruction ? static_cast<InstructionIndex>(context_.list.instructions.size() - 1) : before);
+  bool ends_with_contact = last_ == Last::Contact;
+  bool ends_program = before == kNoInstruction || context_.instruction(before).info->placement == Placement::End;
+  if (ends_with_contact && !ends_program) {
+    if (auto diagnostic = fail(DiagId::McrAfterContact, before))
+      diagnostic->arg("mnemonic", context_.instruction(before).info->spelling);
+  } else if (!branches_.empty()) {
+    InstructionIndex mps = branches_.front().opened_by;
+    if (auto diagnostic = fail(DiagId::MpsWithoutMpp, mps))
+      diagnostic->arg("mnemonic", context_.instruction(mps).info->spelling);
+  } else if (ends_with_contact) {
+    if (auto diagnostic = fail(DiagId::RungWithoutOutput, unused_))
+      diagnostic->arg("mnemonic", context_.instruction(unused_).info->spelling);
+  }
+  open_ = false;
+  blocks_.clear();
+  branches_.clear();
+  last_ = Last::Nothing;
+  page_feed_ = kNoInstruction;
+}
+
+void Rungs::finish() { end_rung(kNoInstruction); }
+
+// ---------------------------------------------------------------------------------------------- errors
+
+/// The message, unless it would be a consequence of an earlier one in this rung.
+std::optional<DiagBuilder> Rungs::fail(DiagId id, InstructionIndex index) {
+  if (failed_ != kNoInstruction)
+    return std::nullopt;
+  failed_ = index;
+  return context_.report(id, index);
+}
+
+void Rungs::report_open_block(InstructionIndex block, InstructionIndex user) {
+  if (auto diagnostic = fail(DiagId::BlockNotJoined, block)) {
+    diagnostic->arg("mnemonic", context_.instruction(block).info ? context_.instruction(block).info->spelling : "")
+        .arg("user", context_.instruction(user).info->spelling);
+    if (blocks_.front().opened_by != block)
+      diagnostic->note(DiagId::OuterBlock, context_.instruction(blocks_.front().opened_by).range);
+  }
+}
+
+/// Where a branch is still open and an LD directly behind an output has opened a block that is not joined, the LD begins the next
+/// rung and the branch lacks its MPP. `index` is the last instruction that belongs to the new rung.
+void Rungs::split_behind_open_branch(InstructionIndex index) {
+  auto *block = llvm::find_if(blocks_, [](const Block &b) { return b.after_output; });
+  if (block == blocks_.end())
+    return;
+  InstructionIndex first = block->opened_by;
+  InstructionIndex mps = branches_.front().opened_by;
+  bool failed_behind = failed_ != kNoInstruction && failed_ >= first;
+  if (failed_ == kNoInstruction || failed_behind)
+    context_.report(DiagId::MpsWithoutMpp, mps)
+        .arg("mnemonic", context_.instruction(mps).info->spelling)
+        .note(DiagId::LostMps, context_.instruction(first).range);
+  if (!failed_behind)
+    failed_ = kNoInstruction;
+
+  std::size_t dropped = static_cast<std::size_t>(block - blocks_.begin());
+  blocks_.erase(blocks_.begin(), block);
+  blocks_.front().after_output = false;
+  llvm::erase_if(branches_, [&](const Branch &b) { return b.opened_by < first; });
+  for (Branch &branch : branches_)
+    branch.depth -= dropped;
+  if (last_pop_ < first)
+    last_pop_ = kNoInstruction;
+  if (unused_ < first)
+    unused_ = first;
+  ++rung_;
+  for (InstructionIndex i = first; i <= index; ++i)
+    context_.instruction(i).rung = rung_;
+}
+
+}  // namespace ladderc::sema
