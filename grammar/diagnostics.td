@@ -1,7 +1,8 @@
-// The messages of ladderc. compiler/support/diagnostics.h says how they are reported; docs/diagnostics.md is made from these records.
+// The messages of ladderc. compiler/support/diagnostics.h says how they are reported; docs/diagnostics.md is made from these
+// records.
 //
-// Text: lower case first letter unless it begins with a mnemonic or device, no full stop; say what is there and, if needed, the rule.
-// {name} is an argument. The record's name is the C++ enumerator, the id is public and never changes its meaning.
+// Text: lower case first letter unless it begins with a mnemonic or device, no full stop; say what is there and, if needed, the
+// rule. {name} is an argument. The record's name is the C++ enumerator, the id is public and never changes its meaning.
 
 class Ref<string fam, string sec, string c = ""> { string family = fam; string section = sec; string plc = c; }
 

@@ -149,8 +149,8 @@ class Instruction<string f, string m> {
   list<Time> times = [];
 }
 
-// The backend is run once per family file, grammar/<family>.td, which has one Family record: every Instruction, Special and ErrorCode
-// that the file defines or includes belongs to it. Devices are those of its list.
+// The backend is run once per family file, grammar/<family>.td, which has one Family record: every Instruction, Special and
+// ErrorCode that the file defines or includes belongs to it. Devices are those of its list.
 class Family<string i, string t, string man> {
   string id = i;
   string title = t;

@@ -1,4 +1,5 @@
-// MELSEC QS: the safety CPU QS001CPU. Source: its programming manual for common instructions; "section" counts that manual's sections.
+// MELSEC QS: the safety CPU QS001CPU. Source: its programming manual for common instructions; "section" counts that manual's
+// sections.
 
 include "ladder.td"
 include "melsec-qs/devices.td"

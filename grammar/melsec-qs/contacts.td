@@ -6,8 +6,8 @@ defvar EdgeContact = [Time<150>];
 let section = "5.1.1" in {
 def LD : ContactForm<"LD", AtStart, PlainContact> {
   let title = "Begin a block, normally open contact";
-  let description = "Opens a new logic block whose result is the state of S. Every rung begins with an LD-type instruction, and so does "
-                    "every block that ANB or ORB joins later.";
+  let description = "Opens a new logic block whose result is the state of S. Every rung begins with an LD-type instruction, and so "
+                    "does every block that ANB or ORB joins later.";
   let example = Rung<"LD X0\nOUT Y10">.text;
 }
 def LDI : ContactForm<"LDI", AtStart, PlainContact> {
@@ -35,7 +35,8 @@ def OR : ContactForm<"OR", AtParallel, PlainContact> {
 def ORI : ContactForm<"ORI", AtParallel, PlainContact> {
   let negated = 1;
   let title = "Normally closed contact in parallel";
-  let description = "The result becomes ON if S is OFF. The contact lies parallel to everything since the LD that opened the block.";
+  let description = "The result becomes ON if S is OFF. The contact lies parallel to everything since the LD that opened the "
+                    "block.";
   let example = Rung<"LD X0\nORI X1\nOUT Y10">.text;
 }
 }
@@ -44,13 +45,15 @@ def ORI : ContactForm<"ORI", AtParallel, PlainContact> {
 let section = "5.1.2", edge = RisingEdge in {
 def LDP : ContactForm<"LDP", AtStart, EdgeContact> {
   let title = "Begin a block, rising edge";
-  let description = "Opens a new logic block whose result is ON in the scan in which S is found ON after the instruction saw it OFF. Each "
-                    "occurrence has a memory of its own, OFF at power-on, so S that is ON in the first scan counts as an edge.";
+  let description = "Opens a new logic block whose result is ON in the scan in which S is found ON after the instruction saw it "
+                    "OFF. Each occurrence has a memory of its own, OFF at power-on, so S that is ON in the first scan counts as an "
+                    "edge.";
   let example = Rung<"LDP X0\nSET M0">.text;
 }
 def ANDP : ContactForm<"ANDP", AtSeries, EdgeContact> {
   let title = "Rising edge in series";
-  let description = "The result stays ON only in the scan in which S turned ON. The memory follows S itself, whatever the result is.";
+  let description = "The result stays ON only in the scan in which S turned ON. The memory follows S itself, whatever the result "
+                    "is.";
   let example = Rung<"LD X0\nANDP X1\nSET M0">.text;
 }
 def ORP : ContactForm<"ORP", AtParallel, EdgeContact> {
@@ -62,12 +65,14 @@ def ORP : ContactForm<"ORP", AtParallel, EdgeContact> {
 let section = "5.1.2", edge = FallingEdge in {
 def LDF : ContactForm<"LDF", AtStart, EdgeContact> {
   let title = "Begin a block, falling edge";
-  let description = "Opens a new logic block whose result is ON in the scan in which S is found OFF after the instruction saw it ON.";
+  let description = "Opens a new logic block whose result is ON in the scan in which S is found OFF after the instruction saw it "
+                    "ON.";
   let example = Rung<"LDF X0\nRST M0">.text;
 }
 def ANDF : ContactForm<"ANDF", AtSeries, EdgeContact> {
   let title = "Falling edge in series";
-  let description = "The result stays ON only in the scan in which S turned OFF. The memory follows S itself, whatever the result is.";
+  let description = "The result stays ON only in the scan in which S turned OFF. The memory follows S itself, whatever the result "
+                    "is.";
   let example = Rung<"LD X0\nANDF X1\nRST M0">.text;
 }
 def ORF : ContactForm<"ORF", AtParallel, EdgeContact> {
@@ -87,8 +92,8 @@ def ANB : ConnectionForm<"ANB", AtJoinBlocks, LowerAndBlock, Connection> {
 }
 def ORB : ConnectionForm<"ORB", AtJoinBlocks, LowerOrBlock, Connection> {
   let title = "Join two blocks in parallel";
-  let description = "Takes the two blocks opened last off the stack and puts one back that is ON if either is. For a block of one contact "
-                    "OR does the same.";
+  let description = "Takes the two blocks opened last off the stack and puts one back that is ON if either is. For a block of one "
+                    "contact OR does the same.";
   let example = Rung<"LD X0\nAND X1\nLD X2\nAND X3\nORB\nOUT Y10">.text;
 }
 }
@@ -96,8 +101,8 @@ def ORB : ConnectionForm<"ORB", AtJoinBlocks, LowerOrBlock, Connection> {
 let section = "5.2.2", example = Rung<"LD X0\nMPS\nAND X1\nOUT Y10\nMRD\nAND X2\nOUT Y11\nMPP\nAND X3\nOUT Y12">.text in {
 def MPS : ConnectionForm<"MPS", AtPushBranch, LowerPushBranch, Connection> {
   let title = "Open a branch point";
-  let description = "Remembers the result for later branches and leaves it as it is. At most 16 branch points may be open, and each needs "
-                    "an MPP.";
+  let description = "Remembers the result for later branches and leaves it as it is. At most 16 branch points may be open, and "
+                    "each needs an MPP.";
 }
 def MRD : ConnectionForm<"MRD", AtReadBranch, LowerReadBranch, Connection> {
   let title = "Go on from the branch point";
@@ -112,8 +117,8 @@ def MPP : ConnectionForm<"MPP", AtPopBranch, LowerPopBranch, Connection> {
 def INV : ConnectionForm<"INV", AtSeries, LowerInvert, Connection> {
   let section = "5.2.3";
   let title = "Invert the result";
-  let description = "Turns the result of the current block round, with all that lies in series and in parallel before it. Stands where an "
-                    "AND may stand.";
+  let description = "Turns the result of the current block round, with all that lies in series and in parallel before it. Stands "
+                    "where an AND may stand.";
   let example = Rung<"LD X0\nAND X1\nINV\nOUT Y10">.text;
 }
 
@@ -121,15 +126,15 @@ let section = "5.2.4" in {
 def MEP : ConnectionForm<"MEP", AtSeries, LowerEdgeOfResult, [Time<150>]> {
   let edge = RisingEdge;
   let title = "Rising edge of the result";
-  let description = "The result is ON only in the scan in which it turned ON. Each occurrence has a memory of its own. Stands where an "
-                    "AND may stand.";
+  let description = "The result is ON only in the scan in which it turned ON. Each occurrence has a memory of its own. Stands "
+                    "where an AND may stand.";
   let example = Rung<"LD X0\nAND X1\nMEP\nSET M0">.text;
 }
 def MEF : ConnectionForm<"MEF", AtSeries, LowerEdgeOfResult, [Time<150>]> {
   let edge = FallingEdge;
   let title = "Falling edge of the result";
-  let description = "The result is ON only in the scan in which it turned OFF: what follows is executed although the contacts before are "
-                    "OFF. Each occurrence has a memory of its own. Stands where an AND may stand.";
+  let description = "The result is ON only in the scan in which it turned OFF: what follows is executed although the contacts "
+                    "before are OFF. Each occurrence has a memory of its own. Stands where an AND may stand.";
   let example = Rung<"LD X0\nAND X1\nMEF\nSET M0">.text;
 }
 }

@@ -1,12 +1,13 @@
-// Error codes of the QS001CPU, as SD0 shows them. Most name faults of hardware or parameters that a compiled program never has; they are
-// here so that a code read from a controller can be looked up.
+// Error codes of the QS001CPU, as SD0 shows them. Most name faults of hardware or parameters that a compiled program never has;
+// they are here so that a code read from a controller can be looked up.
 
 class Stop<int c, string n, string why, string what, string sec> : ErrorCode<c, n, why, what, 1, sec>;
 class GoesOn<int c, string n, string why, string what, string sec> : ErrorCode<c, n, why, what, 0, sec>;
 
 defvar CheckNoise = "Look for sources of noise and reset the CPU. Replace the CPU if the error comes back.";
 defvar ReplaceCpu = "Replace the CPU.";
-defvar CheckNetwork = "Compare the network parameters with the modules and write them again. Replace the module if the error comes back.";
+defvar CheckNetwork = "Compare the network parameters with the modules and write them again. Replace the module if the error comes "
+                      "back.";
 defvar CheckStation = "Look at the remote station. The parameters say whether the CPU stops; by default it does.";
 
 // ---------------------------------------------------------------------------------------------- CPU and modules
@@ -20,12 +21,13 @@ foreach c = [1131, 1132, 1133, 1136, 1137, 1141, 1142, 1143] in
 def : Stop<c, "RAM ERROR", "The check at power-on found a fault in the CPU's memory.", ReplaceCpu, "9.1.3">;
 def : Stop<1146, "RAM ERROR", "A fault in the CPU's memory was found while it was running.", ReplaceCpu, "9.1.3">;
 def : Stop<1210, "OPERATION CIRCUIT ERROR", "The circuit that executes programs does not work.", ReplaceCpu, "9.1.3">;
-def : Stop<1311, "I/O INTERRUPT ERROR", "A module asked for an interrupt; this CPU has no interrupt programs.", "Replace module, CPU or base.",
-           "9.1.3">;
-def : Stop<1401, "INTELLIGENT FUNCTION MODULE DOWN", "A module did not answer at initialization or reports an impossible buffer size.",
+def : Stop<1311, "I/O INTERRUPT ERROR", "A module asked for an interrupt; this CPU has no interrupt programs.",
            "Replace module, CPU or base.", "9.1.3">;
-def : Stop<1403, "INTELLIGENT FUNCTION MODULE DOWN", "A module failed its own test or did not answer at END.", "Look at the module.",
-           "9.1.3">;
+def : Stop<1401, "INTELLIGENT FUNCTION MODULE DOWN", "A module did not answer at initialization or reports an impossible buffer "
+                                                     "size.",
+           "Replace module, CPU or base.", "9.1.3">;
+def : Stop<1403, "INTELLIGENT FUNCTION MODULE DOWN", "A module failed its own test or did not answer at END.",
+           "Look at the module.", "9.1.3">;
 def : Stop<1411, "CONTROL-BUS ERROR", "A module could not be reached during the I/O assignment.",
            "Reset the CPU. Replace module, CPU or base if the error comes back.", "9.1.3">;
 foreach c = [1413, 1414] in
@@ -33,18 +35,21 @@ def : Stop<c, "CONTROL-BUS ERROR", "The system bus is faulty.", "Replace module,
 def : Stop<1415, "CONTROL-BUS ERROR", "The base unit is faulty.", "Replace the base unit.", "9.1.3">;
 def : GoesOn<1500, "AC/DC DOWN", "The supply failed for a moment or was switched off.", "Look at the power supply.", "9.1.3">;
 def : GoesOn<1600, "BATTERY ERROR", "The battery is low or not connected.", "Connect or replace the battery.", "9.1.3">;
-def : GoesOn<1610, "EXCEED MAX FLASH ROM REWRIT. ERR.", "The flash memory has been written more than 100,000 times.", ReplaceCpu, "9.1.3">;
+def : GoesOn<1610, "EXCEED MAX FLASH ROM REWRIT. ERR.", "The flash memory has been written more than 100,000 times.", ReplaceCpu,
+             "9.1.3">;
 
 def : Stop<2000, "MODULE VERIFY ERROR", "A module was taken out, exchanged or came loose after power-on.",
            "Look at the module whose number SD5 and SD6 show.", "9.1.4">;
 defvar CorrectAssignment = "Correct the I/O assignment.";
-def : Stop<2100, "MODULE LAYOUT ERROR", "The I/O assignment expects another kind of module in a slot, or fewer points than the module has.",
+def : Stop<2100, "MODULE LAYOUT ERROR", "The I/O assignment expects another kind of module in a slot, or fewer points than the "
+                                        "module has.",
            CorrectAssignment, "9.1.4">;
 def : Stop<2106, "MODULE LAYOUT ERROR", "More than one MELSECNET/H module or more than two CC-Link Safety masters are mounted.",
            "Take the surplus modules out.", "9.1.4">;
 def : Stop<2107, "MODULE LAYOUT ERROR", "Two modules have the same I/O numbers.", CorrectAssignment, "9.1.4">;
 def : Stop<2124, "MODULE LAYOUT ERROR", "A module lies beyond the I/O points that the CPU has.", CorrectAssignment, "9.1.4">;
-def : Stop<2125, "MODULE LAYOUT ERROR", "The CPU does not know a module, or gets no answer from it.", "Replace the module.", "9.1.4">;
+def : Stop<2125, "MODULE LAYOUT ERROR", "The CPU does not know a module, or gets no answer from it.", "Replace the module.",
+           "9.1.4">;
 def : Stop<2200, "MISSING PARAMETER", "The program memory has no parameter file.", "Write the parameters.", "9.1.4">;
 def : Stop<2210, "BOOT ERROR", "The contents of the boot file make no sense.", "Correct the boot settings.", "9.1.4">;
 def : Stop<2500, "CAN'T EXECUTE PROGRAM", "The program names a device beyond the points that the parameters allocate.",
@@ -64,7 +69,8 @@ def : Stop<3008, "PARAMETER ERROR", "New parameters were written and neither the
            "Switch the power off and on, or reset.", "9.1.5">;
 def : Stop<3100, "NETWORK PARAMETER ERROR", "MELSECNET/H modules differ from the parameters in number, address or station type.",
            CheckNetwork, "9.1.5">;
-def : Stop<3101, "NETWORK PARAMETER ERROR", "The address of a MELSECNET/H module or its refresh area is wrong.", CheckNetwork, "9.1.5">;
+def : Stop<3101, "NETWORK PARAMETER ERROR", "The address of a MELSECNET/H module or its refresh area is wrong.", CheckNetwork,
+           "9.1.5">;
 def : Stop<3102, "NETWORK PARAMETER ERROR", "A network module refuses its parameters.", CheckNetwork, "9.1.5">;
 def : Stop<3104, "NETWORK PARAMETER ERROR", "A network, station, group or I/O number is out of range.", CheckNetwork, "9.1.5">;
 def : Stop<3105, "CC-LINK PARAMETER ERROR", "A CC-Link module of the parameters is missing or has another address or station type.",
@@ -75,18 +81,20 @@ def : Stop<3107, "CC-LINK PARAMETER ERROR", "The CC-Link parameters are wrong.",
 // ---------------------------------------------------------------------------------------------- program
 defvar LookAtStep = "Look at the step that SD14 and SD15 show.";
 def : Stop<4000, "INSTRUCTION CODE ERROR", "The program has an instruction that this CPU does not have.", LookAtStep, "9.1.6">;
-def : Stop<4002, "INSTRUCTION CODE ERROR", "The name of an extended instruction is unknown to the CPU or to the module.", LookAtStep,
-           "9.1.6">;
+def : Stop<4002, "INSTRUCTION CODE ERROR", "The name of an extended instruction is unknown to the CPU or to the module.",
+           LookAtStep, "9.1.6">;
 def : Stop<4003, "INSTRUCTION CODE ERROR", "An extended instruction has too many or too few operands.", LookAtStep, "9.1.6">;
 def : Stop<4004, "INSTRUCTION CODE ERROR", "An extended instruction has an operand that it cannot use.", LookAtStep, "9.1.6">;
 def : Stop<4010, "MISSING END INSTRUCTION", "The program does not end with END.", "Add END.", "9.1.6">;
-def : Stop<4100, "OPERATION ERROR", "An instruction met data that it cannot work on: a divisor of 0, a BCD digit above 9, a number with too "
-           "many digits.", LookAtStep, "9.1.6">;
-def : Stop<4101, "OPERATION ERROR", "A block of devices crosses the end of its device class, or a count is out of range.", LookAtStep,
+def : Stop<4100, "OPERATION ERROR", "An instruction met data that it cannot work on: a divisor of 0, a BCD digit above 9, a number "
+                                    "with too many digits.", LookAtStep, "9.1.6">;
+def : Stop<4101, "OPERATION ERROR", "A block of devices crosses the end of its device class, or a count is out of range.",
+           LookAtStep, "9.1.6">;
+def : Stop<4700, "PROGRAM ABORT EXECUTED", "The program executed S.QSABORT.", "SD16 is the abort code: remove what it stands for.",
            "9.1.6">;
-def : Stop<4700, "PROGRAM ABORT EXECUTED", "The program executed S.QSABORT.", "SD16 is the abort code: remove what it stands for.", "9.1.6">;
 
-def : Stop<5001, "WDT ERROR", "A scan took longer than the watchdog time.", "Make the scan shorter or the watchdog time longer.", "9.1.7">;
+def : Stop<5001, "WDT ERROR", "A scan took longer than the watchdog time.", "Make the scan shorter or the watchdog time longer.",
+           "9.1.7">;
 def : GoesOn<5010, "PROGRAM SCAN TIME OVER", "A scan took longer than the constant scan time.", "Set a longer constant scan time.",
              "9.1.7">;
 
@@ -113,20 +121,22 @@ def : GoesOn<8100, "TEST MODE TIME EXCEEDED", "The CPU has been in TEST MODE for
              "Go back to SAFETY MODE.", "9.1.8">;
 def : Stop<8120, "WDT CLOCK CHECK ERROR", "The clock of the watchdog has stopped.", CheckNoise, "9.1.8">;
 def : Stop<8300, "CC-LINK REMOTE DETECTION ERROR", "A CC-Link Safety remote station reports an error.", CheckStation, "9.1.8">;
-def : Stop<8310, "CC-LINK PRODUCT INFO. MISMATCH", "A remote station is another product than the network parameters say.", CheckStation,
+def : Stop<8310, "CC-LINK PRODUCT INFO. MISMATCH", "A remote station is another product than the network parameters say.",
+           CheckStation, "9.1.8">;
+def : Stop<8320, "CC-LINK DATA RECEPTION TIMEOUT", "A remote station did not answer while it was initialized.", CheckStation,
            "9.1.8">;
-def : Stop<8320, "CC-LINK DATA RECEPTION TIMEOUT", "A remote station did not answer while it was initialized.", CheckStation, "9.1.8">;
 def : Stop<8321, "CC-LINK DATA RECEPTION TIMEOUT", "A remote station stopped answering.", CheckStation, "9.1.8">;
-def : Stop<8322, "CC-LINK DATA RECEPTION TIMEOUT", "A remote station did not answer when its error data were read.", CheckStation, "9.1.8">;
+def : Stop<8322, "CC-LINK DATA RECEPTION TIMEOUT", "A remote station did not answer when its error data were read.", CheckStation,
+           "9.1.8">;
 def : Stop<8330, "CC-LINK RECEIVED DATA ERROR", "A remote station sent another command than was due.", CheckStation, "9.1.8">;
 def : Stop<8331, "CC-LINK RECEIVED DATA ERROR", "Part of a message from a remote station is missing.", CheckStation, "9.1.8">;
 def : Stop<8332, "CC-LINK RECEIVED DATA ERROR", "A message came with another link ID.", CheckStation, "9.1.8">;
 def : Stop<8333, "CC-LINK RECEIVED DATA ERROR", "A message came out of order.", CheckStation, "9.1.8">;
 def : Stop<8334, "CC-LINK RECEIVED DATA ERROR", "The parts of a message cannot be put together.", CheckStation, "9.1.8">;
 
-def : GoesOn<9000, "F****", "The program turned an annunciator ON; **** is its number.", "Look up what the annunciator means; SD16 is its "
-             "number.", "9.1.8">;
+def : GoesOn<9000, "F****", "The program turned an annunciator ON; **** is its number.", "Look up what the annunciator means; SD16 "
+                                                                                         "is its number.", "9.1.8">;
 
 // 4000H to 4FFFH go back to the partner whose request failed and never reach SD0; one record stands for all.
-def : GoesOn<0x4000, "(communication error, 4000H-4FFFH)", "A request from a programming tool, a module or the network could not be "
-             "served.", "See the hardware manual.", "9.1">;
+def : GoesOn<0x4000, "(communication error, 4000H-4FFFH)", "A request from a programming tool, a module or the network could not "
+                                                           "be served.", "See the hardware manual.", "9.1">;

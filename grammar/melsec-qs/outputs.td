@@ -15,10 +15,10 @@ defvar Driven = [Time<550, "not executed">, Time<550, "executed, after time-up/c
 
 let section = "5.3.2" in {
 let title = "Low-speed timer",
-    description = "While the result is ON, the current value grows by the ticks that the last scan took; when it reaches the set value, the "
-                  "contact closes and the value stands still. The tick is the low-speed unit of the parameters (1 to 1000 ms, default "
-                  "100 ms). A set value of 0 closes the contact at once. Result OFF clears a T; an ST keeps value and contact until RST. "
-                  "Everything changes when the instruction is executed, not between." in {
+    description = "While the result is ON, the current value grows by the ticks that the last scan took; when it reaches the set "
+                  "value, the contact closes and the value stands still. The tick is the low-speed unit of the parameters (1 to "
+                  "1000 ms, default 100 ms). A set value of 0 closes the contact at once. Result OFF clears a T; an ST keeps value "
+                  "and contact until RST. Everything changes when the instruction is executed, not between." in {
 def OUT_T : TimerForm<"OUT T", "OUT T", PlainTimers, "on_delay_low", Driven> {
   let example = Rung<"LD X0\nOUT T0 K50\nLD T0\nOUT Y10">.text;
 }
@@ -27,8 +27,8 @@ def OUT_ST : TimerForm<"OUT ST", "OUT T", RetentiveTimers, "retentive_low", Driv
 }
 }
 let title = "High-speed timer",
-    description = "As OUT T and OUT ST, but the tick is the high-speed unit of the parameters (0.1 to 100 ms, default 10 ms). One timer "
-                  "number is driven either by OUT or by OUTH." in {
+    description = "As OUT T and OUT ST, but the tick is the high-speed unit of the parameters (0.1 to 100 ms, default 10 ms). One "
+                  "timer number is driven either by OUT or by OUTH." in {
 def OUTH_T : TimerForm<"OUTH T", "OUTH T", PlainTimers, "on_delay_high", Driven> {
   let example = Rung<"LD X0\nOUTH T1 K25\nLD T1\nOUT Y10">.text;
 }
@@ -43,9 +43,9 @@ def OUT_C : DrivenForm<"OUT C", "OUT C", StyleMethod, "count_up", [CounterOperan
   let steps = 4;
   let section = "5.3.3";
   let title = "Counter";
-  let description = "Counts one when the result turns ON; the counter's coil is the memory of that edge. When the current value reaches the "
-                    "set value, the contact closes and value and contact stand still until RST. A set value of 0 acts as 1. Result OFF "
-                    "switches the coil OFF only.";
+  let description = "Counts one when the result turns ON; the counter's coil is the memory of that edge. When the current value "
+                    "reaches the set value, the contact closes and value and contact stand still until RST. A set value of 0 acts "
+                    "as 1. Result OFF switches the coil OFF only.";
   let example = Rung<"LD X0\nOUT C0 K10\nLD C0\nOUT Y10\nLD X1\nRST C0">.text;
 }
 
@@ -55,16 +55,18 @@ def OUT_F : DrivenForm<"OUT F", "OUT F", StyleSystem, "annunciator_out", [Annunc
   let steps = 2;
   let section = "5.3.4";
   let title = "Output an annunciator";
-  let description = "Writes the result to D in every scan. When D turns ON, its number is entered in SD64-SD79 (at most 16; a number stands "
-                    "there once), SD63 counts the entries, SD62 shows the first, SM62 turns ON, the USER LED lights and 9000 is reported; "
-                    "the CPU goes on. Turning D OFF with OUT changes the bit only: RST F takes the entry out.";
+  let description = "Writes the result to D in every scan. When D turns ON, its number is entered in SD64-SD79 (at most 16; a "
+                    "number stands there once), SD63 counts the entries, SD62 shows the first, SM62 turns ON, the USER LED lights "
+                    "and 9000 is reported; the CPU goes on. Turning D OFF with OUT changes the bit only: RST F takes the entry "
+                    "out.";
   let errors = ["9000: D turned ON; the CPU goes on"];
   let example = Rung<"LD X0\nOUT F7">.text;
 }
 
 let section = "5.3.7", execution = RisingEdge, steps = 2, outputs = [0], style = StyleSystem in {
 def SET_F : OutputForm<"SET F", "SET F", LowerCall, [AnnunciatorOperand],
-                       [Time<250, "not executed">, Time<365000, "executed, when displayed">, Time<235000, "executed, display completed">]> {
+                       [Time<250, "not executed">, Time<365000, "executed, when displayed">,
+                        Time<235000, "executed, display completed">]> {
   let function = "annunciator_set";
   let title = "Set an annunciator";
   let description = "When the result turns ON, D becomes ON and is entered as OUT F does it.";
@@ -72,12 +74,13 @@ def SET_F : OutputForm<"SET F", "SET F", LowerCall, [AnnunciatorOperand],
   let example = Rung<"LD X0\nSET F7">.text;
 }
 def RST_F : OutputForm<"RST F", "RST F", LowerCall, [AnnunciatorOperand],
-                       [Time<250, "not executed">, Time<115000, "executed, when displayed">, Time<87000, "executed, display completed">]> {
+                       [Time<250, "not executed">, Time<115000, "executed, when displayed">,
+                        Time<87000, "executed, display completed">]> {
   let function = "annunciator_reset";
   let title = "Reset an annunciator";
-  let description = "When the result turns ON, D becomes OFF and its number leaves SD64-SD79; the numbers behind it move up. Where all 16 "
-                    "places were taken, an annunciator that is ON without an entry gets the free one. With the last entry SM62 turns OFF "
-                    "and the USER LED goes out.";
+  let description = "When the result turns ON, D becomes OFF and its number leaves SD64-SD79; the numbers behind it move up. Where "
+                    "all 16 places were taken, an annunciator that is ON without an entry gets the free one. With the last entry "
+                    "SM62 turns OFF and the USER LED goes out.";
   let example = Rung<"LD X0\nSET F7\nLD X1\nRST F7">.text;
 }
 }
@@ -92,8 +95,8 @@ def SET : OutputForm<"SET", "SET", LowerSet, [CoilOperand], [Time<100, "", "Y">,
 }
 
 let section = "5.3.6", title = "Reset a device",
-    description = "While the result is ON, a bit becomes OFF; a timer or counter loses contact, coil and current value; a word becomes 0. "
-                  "Result OFF does nothing." in {
+    description = "While the result is ON, a bit becomes OFF; a timer or counter loses contact, coil and current value; a word "
+                  "becomes 0. Result OFF does nothing." in {
 def RST_bit : OutputForm<"RST", "RST", LowerReset, [CoilOperand],
                          [Time<100, "", "Y">, Time<200, "", "D0.0">, Time<100, "", "SM">]> {
   let execution = WhileOn;
@@ -116,15 +119,16 @@ let section = "5.3.8", drives = 1, steps = 2 in {
 def PLS : OutputForm<"PLS", "PLS", LowerPulseStore, [PulseOperand], [Time<7100>]> {
   let edge = RisingEdge;
   let title = "Output a pulse on the rising edge";
-  let description = "Writes ON to D in the scan in which the result turned ON and OFF in every other scan. The instruction's own memory is "
-                    "OFF at power-on and survives STOP: a result that is ON in the first scan gives a pulse, one that stays ON over STOP "
-                    "and RUN gives none. A second PLS or PLF of D in the same scan can cut the pulse short.";
+  let description = "Writes ON to D in the scan in which the result turned ON and OFF in every other scan. The instruction's own "
+                    "memory is OFF at power-on and survives STOP: a result that is ON in the first scan gives a pulse, one that "
+                    "stays ON over STOP and RUN gives none. A second PLS or PLF of D in the same scan can cut the pulse short.";
   let example = Rung<"LD X0\nPLS M9">.text;
 }
 def PLF : OutputForm<"PLF", "PLF", LowerPulseStore, [PulseOperand], [Time<7100>]> {
   let edge = FallingEdge;
   let title = "Output a pulse on the falling edge";
-  let description = "Writes ON to D in the scan in which the result turned OFF and OFF in every other scan. There is none in the first scan.";
+  let description = "Writes ON to D in the scan in which the result turned OFF and OFF in every other scan. There is none in the "
+                    "first scan.";
   let example = Rung<"LD X0\nPLF M9">.text;
 }
 }
@@ -149,10 +153,10 @@ def MC : Instruction<"MC", "MC"> {
   let steps = 2;
   let times = [Time<200, "", "M0">, Time<300, "", "D0.0">];
   let title = "Begin a master control region";
-  let description = "Writes the result to D and begins the region of level n, which MCR n ends. While the result is OFF, the instructions of "
-                    "the region are executed with their condition OFF: outputs are OFF, timers cleared, retentive timers and counters keep "
-                    "value and contact, what SET, RST and the word instructions wrote stays. Regions nest from N0 upwards; a level may be "
-                    "used again, with another D, when its region has ended.";
+  let description = "Writes the result to D and begins the region of level n, which MCR n ends. While the result is OFF, the "
+                    "instructions of the region are executed with their condition OFF: outputs are OFF, timers cleared, retentive "
+                    "timers and counters keep value and contact, what SET, RST and the word instructions wrote stays. Regions nest "
+                    "from N0 upwards; a level may be used again, with another D, when its region has ended.";
 }
 def MCR : Instruction<"MCR", "MCR"> {
   let lowering = LowerMasterControlReset;
@@ -192,8 +196,8 @@ def END : Instruction<"END", "END"> {
   let section = "5.5.1";
   let times = [Time<8200000, "with error check">];
   let title = "End of the program";
-  let description = "Ends the scan: outputs and inputs are refreshed, peripherals served, and the next scan begins at step 0. The last "
-                    "instruction of every program.";
+  let description = "Ends the scan: outputs and inputs are refreshed, peripherals served, and the next scan begins at step 0. The "
+                    "last instruction of every program.";
   let errors = ["4010: the program has no END; the CPU does not go to RUN"];
   let example = Rung<"LD X0\nOUT Y10">.text;
 }
@@ -209,8 +213,8 @@ def QSABORT : Instruction<"S.QSABORT", "S.QSABORT"> {
   let section = "8.1";
   let times = [Time<344000, "executed">, Time<34000, "not executed">];
   let title = "Forced stop of the controller";
-  let description = "While the result is ON, the program stops at once and the CPU enters the stop error 4700: SD0 = 4700, SM0 is ON while "
-                    "SM1 stays OFF, SD4 = H0B04, SD5-SD15 tell program and step, SD16 is the abort code S.";
+  let description = "While the result is ON, the program stops at once and the CPU enters the stop error 4700: SD0 = 4700, SM0 is "
+                    "ON while SM1 stays OFF, SD4 = H0B04, SD5-SD15 tell program and step, SD16 is the abort code S.";
   let errors = ["4700: executed; the CPU stops"];
   let example = Rung<"LD X0\nS.QSABORT K1234">.text;
 }

@@ -1,5 +1,5 @@
-// The shapes in which MELSEC instructions come. A shape states once what the forms of an instruction have in common; the family's files
-// say title, description, section, times and example.
+// The shapes in which MELSEC instructions come. A shape states once what the forms of an instruction have in common; the family's
+// files say title, description, section, times and example.
 //
 // D in front of a mnemonic means 32 bits and calls the function with "d" in front; P behind it means that a rising edge of the
 // condition is needed. Examples are whole programs: the shape adds END.
@@ -79,7 +79,8 @@ class TimerForm<string f, string m, Classes timers, string fn, list<Time> t>
   let steps = 4;
 }
 // SET and RST of what is not a bit.
-class ResetForm<string f, string m, CallStyle how, string fn, Operand op, int n, list<Time> t> : OutputForm<f, m, LowerCall, [op], t> {
+class ResetForm<string f, string m, CallStyle how, string fn, Operand op, int n, list<Time> t>
+    : OutputForm<f, m, LowerCall, [op], t> {
   let execution = WhileOn;
   let style = how;
   let function = fn;
@@ -102,8 +103,8 @@ class WordForm<string f, string m, string fn, CallStyle how, int error, list<Ope
   let times = t;
 }
 // The form and its P form. `args` are the operands of the example.
-multiclass Pulsed<string f, string m, string fn, CallStyle how, int error, list<Operand> ops, list<int> reads, list<int> writes, int n,
-                  list<Time> t, string args> {
+multiclass Pulsed<string f, string m, string fn, CallStyle how, int error, list<Operand> ops, list<int> reads, list<int> writes,
+                  int n, list<Time> t, string args> {
   let example = Rung<"LD X0\n" # f # " " # args>.text in
   def "" : WordForm<f, m, fn, how, error, ops, reads, writes, n, t>;
   let execution = RisingEdge, example = Rung<"LD X0\n" # f # "P " # args>.text in
@@ -125,11 +126,11 @@ multiclass Accumulating<string m16, string m32, string fn, int ns16, int ns32> {
                   [Time<ns32, "executed">], "D0 D10">;
 }
 multiclass Combining<string m16, string m32, string fn, int ns16, int ns32> {
-  defm Three : Pulsed<m16, m16, fn, StyleValue, 0, [Source<"S1", OpWord>, Source<"S2", OpWord>, Target<"D", OpWord>], [0, 1], [2], 4,
-                  [Time<ns16, "executed">], "D0 K5 D10">;
+  defm Three : Pulsed<m16, m16, fn, StyleValue, 0, [Source<"S1", OpWord>, Source<"S2", OpWord>, Target<"D", OpWord>], [0, 1], [2],
+                      4, [Time<ns16, "executed">], "D0 K5 D10">;
   let stepsPerConstant = 1 in
-  defm DThree : Pulsed<m32, m16, "d" # fn, StyleValue, 0, [Source<"S1", OpDWord>, Source<"S2", OpDWord>, Target<"D", OpDWord>], [0, 1],
-                   [2], 4, [Time<ns32, "executed">], "D0 K50000 D10">;
+  defm DThree : Pulsed<m32, m16, "d" # fn, StyleValue, 0, [Source<"S1", OpDWord>, Source<"S2", OpDWord>, Target<"D", OpDWord>],
+                       [0, 1], [2], 4, [Time<ns32, "executed">], "D0 K50000 D10">;
 }
 multiclass TwoAndThree<string m16, string m32, string fn, int two16, int three16, int two32, int three32> {
   defm "" : Accumulating<m16, m32, fn, two16, two32>;
@@ -138,11 +139,11 @@ multiclass TwoAndThree<string m16, string m32, string fn, int two16, int three16
 
 // m S1 S2 D with a destination that is wider than the sources.
 multiclass Widening<string m, string fn, Fails f, OperandType result16, OperandType result32, list<Time> t16, list<Time> t32> {
-  defm "" : Pulsed<m, m, fn, f.style, f.error, [Source<"S1", OpWord>, Source<"S2", OpWord>, Target<"D", result16>], [0, 1], [2], 4, t16,
-                   "D0 K5 D10">;
+  defm "" : Pulsed<m, m, fn, f.style, f.error, [Source<"S1", OpWord>, Source<"S2", OpWord>, Target<"D", result16>], [0, 1], [2], 4,
+                   t16, "D0 K5 D10">;
   let stepsPerConstant = 1 in
-  defm D : Pulsed<"D" # m, m, "d" # fn, f.style, f.error, [Source<"S1", OpDWord>, Source<"S2", OpDWord>, Target<"D", result32>], [0, 1],
-                  [2], 4, t32, "D0 K50000 D10">;
+  defm D : Pulsed<"D" # m, m, "d" # fn, f.style, f.error, [Source<"S1", OpDWord>, Source<"S2", OpDWord>, Target<"D", result32>],
+                  [0, 1], [2], 4, t32, "D0 K50000 D10">;
 }
 
 // m D: changes its only operand.
@@ -151,11 +152,12 @@ multiclass InPlace<string m, string fn, int ns16, int ns32> {
   defm D : Pulsed<"D" # m, m, "d" # fn, StyleValue, 0, [Changed<"D", OpDWord>], [0], [0], 2, [Time<ns32>], "D0">;
 }
 
-// m S D: D := f(S). An empty `fn` is the plain assignment, for both widths. `subset`: steps of the 16-bit forms with quick operands.
+// m S D: D := f(S). An empty `fn` is the plain assignment, for both widths. `subset`: steps of the 16-bit forms with quick
+// operands.
 multiclass Converting<string m, string fn, Fails f, int subset, list<Time> t16, list<Time> t32> {
   let stepsSubset = subset in
   defm "" : Pulsed<m, m, fn, f.style, f.error, [Source<"S", OpWord>, Target<"D", OpWord>], [0], [1], 3, t16, "D0 D10">;
   let stepsPerConstant = 1 in
-  defm D : Pulsed<"D" # m, m, !if(!empty(fn), "", "d" # fn), f.style, f.error, [Source<"S", OpDWord>, Target<"D", OpDWord>], [0], [1], 3,
-                  t32, "D0 D10">;
+  defm D : Pulsed<"D" # m, m, !if(!empty(fn), "", "d" # fn), f.style, f.error, [Source<"S", OpDWord>, Target<"D", OpDWord>], [0],
+                  [1], 3, t32, "D0 D10">;
 }
