@@ -99,7 +99,7 @@ class Diagnostics {
 public:
   explicit Diagnostics(const SourceSet &sources, DiagOptions options = {}) : sources_(sources), options_(std::move(options)) {}
 
-  [[nodiscard]] DiagBuilder report(DiagId id, SourceRange range);
+  DiagBuilder report(DiagId id, SourceRange range);
   /// `; ladderc: allow ID` in `file`: warnings of that id on `line` are dropped.
   void allow(unsigned file, unsigned line, llvm::StringRef id);
 

@@ -19,7 +19,7 @@ Mnemonics::Mnemonics(const FamilyInfo &family) : family_(family) {
       mnemonic.max_operands = std::max(mnemonic.max_operands, count);
     }
     if (llvm::StringRef second = spelling.split(' ').second; !second.empty())
-      second_words_.insert(second);
+      begins_second_word_[static_cast<unsigned char>(second.front())] = true;
   };
   for (const InstructionInfo &entry : family.instructions) {
     enter(entry.spelling);
@@ -34,7 +34,7 @@ const Mnemonic *Mnemonics::find(llvm::StringRef spelling) const {
 }
 
 MnemonicMatch Mnemonics::match(llvm::ArrayRef<Word> words) const {
-  if (words.size() >= 2 && !second_words_.empty() && second_words_.contains(words[1].text)) {
+  if (words.size() >= 2 && !words[1].text.empty() && begins_second_word_[static_cast<unsigned char>(words[1].text.front())]) {
     llvm::SmallString<32> joined(words[0].text);
     joined += ' ';
     joined += words[1].text;

@@ -5,8 +5,8 @@
 #include "tables/tables.h"
 
 #include "llvm/ADT/StringMap.h"
-#include "llvm/ADT/StringSet.h"
 
+#include <array>
 #include <optional>
 
 namespace ladderc {
@@ -42,7 +42,7 @@ private:
 
   const FamilyInfo &family_;
   llvm::StringMap<Mnemonic> by_spelling_;
-  llvm::StringSet<> second_words_;  ///< of spellings with a blank
+  std::array<bool, 256> begins_second_word_{};  ///< characters that the second words of spellings with a blank begin with
   unsigned guesses_left_ = 200;
 };
 
