@@ -118,7 +118,7 @@ private:
   bit reset_command_{};      ///< SM50 at the last END
 };
 
-// --- start, RUN and STOP ---
+// Start, RUN and STOP.
 
 template <unsigned SmPoints, unsigned SdPoints> void System<SmPoints, SdPoints>::power_on(const Parameters &parameters) noexcept {
   parameters_ = parameters;
@@ -184,7 +184,7 @@ template <unsigned SmPoints, unsigned SdPoints> bool System<SmPoints, SdPoints>:
   return true;
 }
 
-// --- the scan ---
+// The scan.
 
 template <unsigned SmPoints, unsigned SdPoints> bool System<SmPoints, SdPoints>::begin_scan(Micros now) noexcept {
   const std::uint32_t elapsed_us = timed_ ? now - last_now_ : 0;  // unsigned: right across the wrap
@@ -218,7 +218,7 @@ template <unsigned SmPoints, unsigned SdPoints> template <class F> void System<S
   show_calendar();
 }
 
-// --- time ---
+// Time.
 
 template <unsigned SmPoints, unsigned SdPoints> void System<SmPoints, SdPoints>::advance_clocks(std::uint32_t elapsed_us) noexcept {
   for (std::uint32_t seconds = clock_.advance(elapsed_us); seconds > 0; --seconds) {
@@ -267,7 +267,7 @@ template <unsigned SmPoints, unsigned SdPoints> void System<SmPoints, SdPoints>:
   }
 }
 
-// --- errors ---
+// Errors.
 
 /// Everything that all errors have in common; the caller adds the individual information.
 template <unsigned SmPoints, unsigned SdPoints>
@@ -353,7 +353,7 @@ template <unsigned SmPoints, unsigned SdPoints> template <class F> void System<S
   }
 }
 
-// --- annunciators ---
+// Annunciators.
 
 template <unsigned SmPoints, unsigned SdPoints>
 template <class F>
