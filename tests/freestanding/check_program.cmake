@@ -1,5 +1,5 @@
-# Compiles SOURCE with COMPILER and OPTIONS and looks at the object: which symbols it leaves to the linker, and whether the rung has a
-# branch.
+# Compiles SOURCE with COMPILER and OPTIONS and looks at the object: which symbols it leaves to the linker, and whether the
+# rung has a branch.
 separate_arguments(options UNIX_COMMAND "${OPTIONS}")
 
 execute_process(COMMAND ${COMPILER} ${options} -O2 -c ${SOURCE} -o ${OUTPUT}.o RESULT_VARIABLE failed)
