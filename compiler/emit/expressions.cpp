@@ -1,0 +1,130 @@
+// Planning and printing of expressions.
+#include "emit/expressions.h"
+
+#include "ir/extent.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace ladderc::emit {
+
+using ir::Op;
+using ir::Operation;
+using ir::ValueId;
+
+namespace {
+
+constexpr unsigned kMaxExpressionSize = 48;
+constexpr std::size_t kNobody = ~std::size_t{0};
+
+bool is_edge(const Operation &o) { return o.op == Op::Rising || o.op == Op::Falling; }
+bool is_effect(const Operation &o) { return !ir::is_value(o.op) || is_edge(o); }
+
+}  // namespace
+
+RungPlan::RungPlan(const ir::Module &module, const ir::Rung &rung, bool group_calls)
+    : rung_(rung), inlined_(rung.operations.size(), false), continues_(rung.operations.size(), false), definition_(rung.values, 0),
+      user_(rung.values, kNobody), uses_(rung.values, 0) {
+  count_uses(group_calls);
+  decide(module);
+}
+
+void RungPlan::count_uses(bool group_calls) {
+  for (std::size_t i = 0; i < rung_.operations.size(); ++i) {
+    const Operation &o = rung_.operations[i];
+    if (is_effect(o))
+      effects_.push_back(i);
+    if (ir::is_value(o.op))
+      definition_[o.result] = i;
+    if (group_calls && i > 0 && o.op == Op::Call && o.a != ir::kNoValue) {
+      const Operation &before = rung_.operations[i - 1];
+      continues_[i] = before.op == Op::Call && before.a == o.a;
+    }
+    if (continues_[i])
+      continue;
+    for (const ValueId v : {o.a, o.b})
+      if (v != ir::kNoValue) {
+        ++uses_[v];
+        user_[v] = i;
+      }
+  }
+}
+
+/// Walks backwards, so that the place where a user is printed is known when its operands are decided.
+void RungPlan::decide(const ir::Module &module) {
+  std::vector<std::size_t> printed_at(rung_.operations.size());
+  std::vector<unsigned> size(rung_.values, 1);
+  for (const Operation &o : rung_.operations)
+    if (ir::is_value(o.op))
+      for (const ValueId v : {o.a, o.b})
+        if (v != ir::kNoValue)
+          size[o.result] += size[v] > kMaxExpressionSize ? 1 : size[v];
+  for (std::size_t i = rung_.operations.size(); i-- > 0;) {
+    const Operation &o = rung_.operations[i];
+    printed_at[i] = i;
+    if (!ir::is_value(o.op))
+      continue;
+    if (o.op == Op::Constant) {
+      inlined_[i] = true;
+      continue;
+    }
+    if (uses_[o.result] != 1 || size[o.result] > kMaxExpressionSize)
+      continue;
+    const std::size_t to = printed_at[user_[o.result]];
+    if (may_move(module, i, to)) {
+      inlined_[i] = true;
+      printed_at[i] = to;
+    }
+  }
+}
+
+bool RungPlan::may_move(const ir::Module &module, std::size_t from, std::size_t to) const {
+  const Operation &moved = rung_.operations[from];
+  if (moved.op != Op::Load && moved.op != Op::Test && !is_edge(moved))
+    return true;  // works on values only
+  auto conflicts = [&](const Operation &between) {
+    if (ir::is_barrier(between))
+      return true;
+    bool conflict = false;
+    ir::for_each_read(module, moved, [&](const ir::Extent &r) {
+      ir::for_each_write(module, between, [&](const ir::Extent &w) { conflict |= ir::overlap(r, w); });
+    });
+    if (is_edge(moved))
+      ir::for_each_write(module, moved, [&](const ir::Extent &w) {
+        ir::for_each_read(module, between, [&](const ir::Extent &r) { conflict |= ir::overlap(r, w); });
+      });
+    return conflict;
+  };
+  if (is_edge(moved) && moved.place.kind != ir::PlaceKind::Edge) {
+    // The memory is a device that anything in between may look at.
+    for (std::size_t i = from + 1; i < to; ++i)
+      if (conflicts(rung_.operations[i]))
+        return false;
+    return true;
+  }
+  for (auto i = std::upper_bound(effects_.begin(), effects_.end(), from); i != effects_.end() && *i < to; ++i)
+    if (conflicts(rung_.operations[*i]))
+      return false;
+  return true;
+}
+
+std::string operand_of(const Expression &expression, Precedence at_least) {
+  return expression.precedence < at_least ? "(" + expression.text + ")" : expression.text;
+}
+
+std::string call_text(const PlaceContext &context, const Operation &operation) {
+  const InstructionInfo &info = *operation.info;
+  std::string arguments;
+  for (const ir::Place &p : operation.inputs)
+    arguments += (arguments.empty() ? "" : ", ") + input_text(context, p);
+  if (info.function.empty())
+    return arguments;
+  if (info.style != CallStyle::Value)
+    for (const ir::Place &p : operation.outputs)
+      if (p.type != OperandType::WordBlock)  // a block stands among the inputs
+        arguments += (arguments.empty() ? "" : ", ") + output_text(context, p);
+  return fmt::format("ops::{}({})", info.function.str(), arguments);
+}
+
+}  // namespace ladderc::emit

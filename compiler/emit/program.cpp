@@ -1,0 +1,315 @@
+// The header and the sources of one program.
+#include "emit/frame.h"
+#include "emit/list_text.h"
+#include "emit/names.h"
+#include "syntax/parser.h"
+
+#include "llvm/ADT/STLExtras.h"
+#include "llvm/Support/Path.h"
+
+namespace ladderc::emit {
+
+namespace {
+
+
+std::string first_and_last(const DeviceInfo &device, std::uint32_t count) {
+  const char *format = device.radix == 16 ? "{}{:X}" : device.radix == 8 ? "{}{:o}" : "{}{}";
+  std::string text = fmt::format(fmt::runtime(format), device.prefix.str(), 0);
+  if (count > 1)
+    text += fmt::format(fmt::runtime("-" + std::string(format)), device.prefix.str(), count - 1);
+  return text;
+}
+
+std::string image_type(const DeviceInfo &device, std::uint32_t count) {
+  const char *type = device.kind == DeviceKind::Bit     ? "Bits"
+                     : device.kind == DeviceKind::Timer ? "Timers"
+                     : device.kind == DeviceKind::Counter ? "Counters"
+                                                          : "Words";
+  return fmt::format("ladder::{}<{}> {};", type, count, device.image.str());
+}
+
+std::string edge_note(const Frame &frame) {
+  std::string note = "last state seen";
+  const std::vector<ir::EdgeMemory> &edges = frame.module.edges;
+  if (edges.size() > 8)
+    return note + ", by place in the list";
+  for (std::size_t i = 0; i < edges.size(); ++i)
+    note += fmt::format("{} [{}] step {}", i ? "," : " at", i, edges[i].step);
+  return note;
+}
+
+void write_members(const Frame &frame, Writer &out) {
+  for (std::size_t id = 0; id < frame.layout.count.size(); ++id) {
+    const DeviceInfo &device = frame.program.family->devices[id];
+    if (!frame.own_image(static_cast<DeviceId>(id)))
+      continue;
+    const std::uint32_t count = frame.layout.count[id];
+    out.line("{:<30} ///< {}, {}", image_type(device, count), first_and_last(device, count), device.title.str());
+  }
+  out.line("{} sys;  ///< special devices, errors, clocks", "ladder::" + frame.system_type());
+}
+
+void write_private(const Frame &frame, Writer &out) {
+  const bool state = !frame.module.edges.empty() || frame.module.master_levels;
+  if (frame.single_function() && !state)
+    return;
+  out.blank();
+  out.left("private:", 1);
+  if (!frame.single_function())
+    for (const Chunk &chunk : frame.layout.chunks)
+      out.line("{} {}() noexcept;", chunk.can_stop ? "bool" : "void", frame.chunk_name(chunk));
+  if (!frame.module.edges.empty())
+    out.line("{:<30} ///< {}", fmt::format("ladder::Bits<{}> edge;", frame.module.edges.size()), edge_note(frame));
+  if (frame.module.master_levels)
+    out.line("{:<30} ///< master control: state of level N0 and so on",
+             fmt::format("ladder::Bits<{}> master;", unsigned(frame.module.master_levels)));
+}
+
+/// Clears what is not latched, class by class.
+void write_clear(const Frame &frame, Writer &out) {
+  for (std::size_t id = 0; id < frame.layout.count.size(); ++id) {
+    if (!frame.own_image(static_cast<DeviceId>(id)))
+      continue;
+    const std::string image = frame.program.family->devices[id].image.str();
+    const std::uint32_t count = frame.layout.count[id];
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> latched;
+    for (const DeviceRange &range : frame.program.parameters.latched)
+      if (range.device == id && range.first < count)
+        latched.emplace_back(range.first, std::min(range.last, count - 1));
+    llvm::sort(latched);
+    if (latched.empty()) {
+      out.line("{}.clear();", image);
+      continue;
+    }
+    std::uint32_t next = 0;
+    for (const auto &[first, last] : latched) {
+      if (first > next)
+        out.line("{}.clear({}, {});", image, next, first - 1);
+      next = std::max(next, last + 1);
+    }
+    if (next < count)
+      out.line("{}.clear({}, {});", image, next, count - 1);
+  }
+  if (!frame.module.edges.empty())
+    out.line("edge.clear();");
+  if (frame.module.master_levels)
+    out.line("master.clear();");
+}
+
+void write_initial_values(const Frame &frame, Writer &out) {
+  for (const InitialValue &initial : frame.program.parameters.initial_values) {
+    const llvm::StringRef written(initial.device);
+    const bool wide = written.ends_with(":d") || written.ends_with(":u");
+    const Operand operand = parse_operand(*frame.program.family, written.split(':').first, {});
+    const bool bit = operand.kind == OperandKind::BitOfWord || frame.program.family->devices[operand.device].kind == DeviceKind::Bit;
+    const ir::Place place = ir::to_place(operand, bit ? OperandType::Bit : wide ? OperandType::DWord : OperandType::Word);
+    if (operand.value >= frame.layout.count[operand.device])
+      continue;  // the program never looks at it
+    if (bit)
+      out.line("{} = {};", bit_text(frame.places, place), initial.value ? "on" : "off");
+    else
+      out.line("{} = {};", output_text(frame.places, place), initial.value);
+  }
+}
+
+/// The special register that tells the allocated points of each class, as the family numbers them.
+void write_parameters(const Frame &frame, Writer &out) {
+  const Parameters &p = frame.program.parameters;
+  const Block block = out.block(fmt::format("constexpr {}::Parameters kParameters =", frame.program.family->ns.str()), "};");
+  out.line("{},  // program name in the error information", quoted(fmt::format("{:<8.8}", p.program_name)));
+  out.line("{}, {},  // low-speed and high-speed timer unit, microseconds", p.low_speed_unit_us, p.high_speed_unit_us);
+  out.line("{}, {},  // constant scan and watchdog, microseconds; 0: none", p.constant_scan_us, p.watchdog_us);
+  int first = INT32_MAX, last = -1;
+  for (const DeviceInfo &d : frame.program.family->devices)
+    if (d.points_register >= 0) {
+      first = std::min(first, d.points_register);
+      last = std::max(last, d.points_register);
+    }
+  std::vector<std::int32_t> points(last >= first ? static_cast<std::size_t>(last - first + 1) : 0, 0);
+  for (std::size_t id = 0; id < frame.program.family->devices.size(); ++id)
+    if (const DeviceInfo &d = frame.program.family->devices[id]; d.points_register >= 0)
+      points[static_cast<std::size_t>(d.points_register - first)] = static_cast<std::int16_t>(p.points[id]);
+  out.line("{{{}}},  // allocated points, SD{} on", fmt::join(points, ", "), first);
+}
+
+void write_scan(const Frame &frame, Writer &out) {
+  const Block body = out.block(fmt::format("void {}::scan(Micros now) noexcept", frame.class_name));
+  out.line("if (!sys.begin_scan(now)) return;  // in STOP, or stopped by an error");
+  if (frame.single_function()) {
+    out.blank();
+    if (!frame.layout.chunks.empty())
+      write_rungs(frame, out, frame.layout.chunks.front(), frame.stem + ".cpp");
+  } else {
+    for (const Chunk &chunk : frame.layout.chunks) {
+      const std::string name = frame.chunk_name(chunk);
+      if (chunk.can_stop)
+        out.line("if (!{}()) return;", name);
+      else
+        out.line("{}();", name);
+    }
+  }
+  std::string annunciators;
+  for (std::size_t id = 0; id < frame.layout.count.size(); ++id)
+    if (frame.layout.count[id] && frame.program.family->devices[id].image == "F")
+      annunciators = "F";
+  out.line("sys.end_scan({});", annunciators);
+}
+
+void write_frame_functions(const Frame &frame, Writer &out) {
+  {
+    const Block space = out.block("namespace", "}  // namespace");
+    out.blank();
+    write_parameters(frame, out);
+    out.blank();
+  }
+  out.blank();
+  {
+    const Block body = out.block(fmt::format("void {}::power_on() noexcept", frame.class_name));
+    write_clear(frame, out);
+    out.line("sys.power_on(kParameters);");
+    write_initial_values(frame, out);
+  }
+  out.blank();
+  {
+    const Block body = out.block(fmt::format("void {}::set_mode(Mode mode) noexcept", frame.class_name));
+    if (frame.program.parameters.initial_values.empty()) {
+      out.line("sys.set_mode(mode);");
+    } else {
+      out.line("const bool starts = mode == Mode::Run && !sys.running();");
+      out.line("sys.set_mode(mode);");
+      out.line("if (!starts) return;");
+      write_initial_values(frame, out);
+    }
+  }
+  out.blank();
+  write_scan(frame, out);
+}
+
+}  // namespace
+
+std::string Frame::list_name() const { return llvm::sys::path::filename(list().name()).str(); }
+
+std::string Frame::head_line(llvm::StringRef file) const {
+  return fmt::format("{}: written by ladderc from {} ({}, {}, -O{}). Edit the list, not this file.", file.str(), list_name(),
+                     program.family->id.str(), program.model.str(), options.level);
+}
+
+bool Frame::in_system(DeviceId device) const { return program.family->devices[device].image.starts_with("sys."); }
+bool Frame::own_image(DeviceId device) const { return layout.count[device] != 0 && !in_system(device); }
+
+std::string Frame::system_type() const {
+  std::string counts;
+  for (std::size_t id = 0; id < layout.count.size(); ++id) {
+    if (!in_system(static_cast<DeviceId>(id)))
+      continue;
+    // Every special device that the manual lists, and what the program uses beyond.
+    const DeviceInfo &device = program.family->devices[id];
+    std::uint32_t count = layout.count[id];
+    for (const SpecialInfo &special : program.family->specials) {
+      const llvm::StringRef last = special.device.rsplit('-').second.empty() ? special.device : special.device.rsplit('-').second;
+      std::uint32_t number;
+      if (last.starts_with(device.prefix) && !last.drop_front(device.prefix.size()).getAsInteger(10, number))
+        count = std::max(count, number + 1);
+    }
+    counts += fmt::format("{}{}", counts.empty() ? "" : ", ", count);
+  }
+  return fmt::format("{}::System<{}>", program.family->ns.str(), counts);
+}
+
+std::string Frame::chunk_name(const Chunk &chunk) const {
+  return fmt::format("rungs_{}_to_{}", module.routines.front().rungs[chunk.first].number, module.routines.front().rungs[chunk.last].number);
+}
+
+Frame make_frame(const CheckedProgram &program, const ir::Module &module, const SourceSet &sources, const EmitOptions &options) {
+  const std::string list = sources[program.list.file].name().str();
+  return {program,
+          module,
+          sources,
+          options,
+          make_layout(module, program.parameters, options.limits),
+          options.class_name.empty() ? class_name(list) : options.class_name,
+          options.stem.empty() ? file_stem(list) : options.stem,
+          {*program.family, program.parameters}};
+}
+
+std::string write_header(const Frame &frame) {
+  Writer out;
+  out.comment(frame.head_line(frame.stem + ".h"));
+  out.left("#pragma once");
+  out.blank();
+  out.line("#include <{}>", frame.program.family->header.str());
+  out.blank();
+  out.line("namespace {} {{", frame.options.name_space);
+  out.blank();
+  out.line("/// {}: {} rungs, {} steps.", frame.list_name(), frame.program.rungs, frame.program.steps);
+  out.line("/// One object is one controller: it owns its devices (its sizeof is its RAM) and does no input or output of its own.");
+  out.line("/// Not thread-safe: power_on(), set_mode() and scan() belong to one thread.");
+  {
+    const Block body = out.block(fmt::format("class {} final", frame.class_name), "};");
+    out.left("public:", 1);
+    write_members(frame, out);
+    out.blank();
+    out.line("/// Power-on or reset, with the switch at RUN: clears what is not latched.");
+    out.line("void power_on() noexcept;");
+    out.blank();
+    out.line("/// The RUN/STOP switch.");
+    out.line("void set_mode(ladder::Mode mode) noexcept;");
+    out.blank();
+    out.line("/// One scan. The host writes the inputs before it and takes the outputs after it. `now` is the host's clock in");
+    out.line("/// microseconds; it may wrap around.");
+    out.line("void scan(ladder::Micros now) noexcept;");
+    write_private(frame, out);
+  }
+  out.blank();
+  out.line("}}  // namespace {}", frame.options.name_space);
+  return out.take();
+}
+
+std::string write_source(const Frame &frame, unsigned file) {
+  const std::string name = file == 0 ? frame.stem + ".cpp" : fmt::format("{}_{}.cpp", frame.stem, file + 1);
+  Writer out;
+  out.comment(frame.head_line(name));
+  out.line("#include \"{}.h\"", frame.stem);
+  out.blank();
+  out.line("namespace {} {{", frame.options.name_space);
+  out.blank();
+  out.line("using namespace ladder;");
+  out.blank();
+  if (file == 0)
+    write_frame_functions(frame, out);
+  if (!frame.single_function())
+    for (const Chunk &chunk : frame.layout.chunks) {
+      if (chunk.file != file)
+        continue;
+      out.blank();
+      const Block body = out.block(
+          fmt::format("{} {}::{}() noexcept", chunk.can_stop ? "bool" : "void", frame.class_name, frame.chunk_name(chunk)));
+      write_rungs(frame, out, chunk, name);
+      if (chunk.can_stop)
+        out.line("return true;");
+    }
+  out.blank();
+  out.line("}}  // namespace {}", frame.options.name_space);
+  return out.take();
+}
+
+std::vector<OutputFile> emit_program(const CheckedProgram &program, const ir::Module &module, const SourceSet &sources,
+                                     const EmitOptions &options) {
+  const Frame frame = make_frame(program, module, sources, options);
+  std::vector<OutputFile> files;
+  files.push_back({frame.stem + ".h", write_header(frame)});
+  for (unsigned file = 0; file < frame.layout.files; ++file)
+    files.push_back({file == 0 ? frame.stem + ".cpp" : fmt::format("{}_{}.cpp", frame.stem, file + 1), write_source(frame, file)});
+  files.push_back({frame.stem + ".symbols.cpp", write_symbols(frame)});
+  return files;
+}
+
+std::string emit_rungs(const CheckedProgram &program, const ir::Module &module, const SourceSet &sources, const EmitOptions &options) {
+  const Frame frame = make_frame(program, module, sources, options);
+  Writer out;
+  for (const Chunk &chunk : frame.layout.chunks)
+    write_rungs(frame, out, chunk, "");
+  return out.take();
+}
+
+}  // namespace ladderc::emit

@@ -1,0 +1,158 @@
+// One rung as C++ statements.
+//
+// `&` and `|`, not `&&` and `||`: bits are values and every contact is read. `if` stands only where instructions are executed
+// conditionally. A call that may fail returns from its function with what the system says (false: the CPU has stopped).
+#include "emit/rung.h"
+
+#include "syntax/parser.h"
+
+#include <optional>
+
+namespace ladderc::emit {
+
+using ir::Op;
+using ir::Operation;
+
+bool can_stop(const ir::Rung &rung) {
+  return llvm::any_of(rung.operations, [](const Operation &o) { return o.info && (o.info->error_code != 0 || o.info->stops_scan); });
+}
+
+std::string RungEmitter::line_name(std::uint32_t step) {
+  std::string name = fmt::format("line_{}", step);
+  for (char suffix = 'b'; !names_.insert(name).second; ++suffix)
+    name = suffix <= 'z' ? fmt::format("line_{}{}", step, suffix) : name + "x";
+  return name;
+}
+
+void RungEmitter::emit(const ir::Rung &rung) {
+  rung_ = &rung;
+  value_names_.assign(rung.values, {});
+  const RungPlan plan(module_, rung, group_calls_);
+  for (std::size_t i = 0; i < rung.operations.size(); ++i) {
+    if (plan.inlined(i))
+      continue;
+    const Operation &o = rung.operations[i];
+    if (o.op != Op::Call || o.a == ir::kNoValue) {
+      emit_operation(rung, plan, i);
+      continue;
+    }
+    const Block guard = out_.block(fmt::format("if ({})", expression(plan, o.a).text));
+    emit_call(o);
+    while (i + 1 < rung.operations.size() && plan.continues_group(i + 1))
+      emit_call(rung.operations[++i]);
+  }
+}
+
+void RungEmitter::emit_operation(const ir::Rung &rung, const RungPlan &plan, std::size_t index) {
+  const Operation &o = rung.operations[index];
+  switch (o.op) {
+  case Op::Store:
+    return out_.statement(fmt::format("{} = {};", bit_text(context_, o.place), expression(plan, o.a).text));
+  case Op::Set:
+    return out_.statement(fmt::format("{} |= {};", bit_text(context_, o.place), expression(plan, o.a).text));
+  case Op::Reset:
+    return out_.statement(fmt::format("{} &= !{};", bit_text(context_, o.place), operand_of(expression(plan, o.a), Precedence::Not)));
+  case Op::Call:
+    return emit_call(o);
+  case Op::Run:
+    return emit_run(plan, o);
+  default:
+    break;
+  }
+  const std::string text = operation_text(plan, o).text;
+  if (plan.uses(o.result) == 0)
+    return out_.statement(text + ";");  // an edge whose result nobody needs still renews its memory
+  value_names_[o.result] = line_name(o.step);
+  out_.statement(fmt::format("const bit {} = {};", value_names_[o.result], text));
+}
+
+void RungEmitter::emit_call(const Operation &o) {
+  const InstructionInfo &info = *o.info;
+  switch (info.style) {
+  case CallStyle::Value:
+    return out_.statement(fmt::format("{} = {};", output_text(context_, o.outputs.front()), call_text(context_, o)));
+  case CallStyle::Status: {
+    const std::string mask =
+        info.error_mask.empty() ? "" : " && !" + bit_text(context_, ir::to_place(parse_operand(context_.family, info.error_mask, {}), OperandType::Bit));
+    return out_.statement(
+        fmt::format("if (!{}{}) return sys.operation_error({}, {});", call_text(context_, o), mask, info.error_code, o.step));
+  }
+  case CallStyle::Method: {
+    std::string arguments;
+    for (const ir::Place &p : o.inputs)
+      arguments += (arguments.empty() ? "" : ", ") + input_text(context_, p);
+    return out_.statement(fmt::format("{}.{}({});", object_text(context_, o.outputs.front()), info.function.str(), arguments));
+  }
+  case CallStyle::System: {
+    std::string arguments;
+    for (const ir::Place &p : o.outputs)
+      arguments += (arguments.empty() ? "" : ", ") + object_text(context_, p);
+    for (const ir::Place &p : o.inputs)
+      arguments += (arguments.empty() ? "" : ", ") + input_text(context_, p);
+    if (info.stops_scan)
+      return out_.statement(fmt::format("return sys.{}({}, {});", info.function.str(), arguments, o.step));
+    return out_.statement(fmt::format("sys.{}({});", info.function.str(), arguments));
+  }
+  default:
+    return out_.statement(call_text(context_, o) + ";");
+  }
+}
+
+void RungEmitter::emit_run(const RungPlan &plan, const Operation &o) {
+  const InstructionInfo &info = *o.info;
+  const std::string on = expression(plan, o.a).text;
+  std::string inputs;
+  for (const ir::Place &p : o.inputs)
+    inputs += ", " + input_text(context_, p);
+  const std::string object = object_text(context_, o.outputs.front());
+  if (info.style == CallStyle::Method)
+    return out_.statement(fmt::format("{}.{}({}{}, sys);", object, info.function.str(), on, inputs));
+  return out_.statement(fmt::format("sys.{}({}, {}{});", info.function.str(), object, on, inputs));
+}
+
+Expression RungEmitter::expression(const RungPlan &plan, ir::ValueId v) {
+  if (!value_names_[v].empty())
+    return {value_names_[v], Precedence::Primary};
+  return operation_text(plan, rung_->operations[plan.definition(v)]);
+}
+
+Expression RungEmitter::operation_text(const RungPlan &plan, const Operation &o) {
+  auto binary = [&](const char *sign, Precedence precedence, bool invert_second) -> Expression {
+    const std::string a = operand_of(expression(plan, o.a), precedence);
+    const std::string b = operand_of(expression(plan, o.b), invert_second ? Precedence::Not : precedence);
+    return {fmt::format("{} {} {}{}", a, sign, invert_second ? "!" : "", b), precedence};
+  };
+  switch (o.op) {
+  case Op::Constant:
+    return {o.constant ? "on" : "off"};
+  case Op::Load:
+    return {bit_text(context_, o.place)};
+  case Op::Not:
+    return {"!" + operand_of(expression(plan, o.a), Precedence::Not), Precedence::Not};
+  case Op::And:
+    return binary("&", Precedence::And, false);
+  case Op::AndNot:
+    return binary("&", Precedence::And, true);
+  case Op::Or:
+  case Op::OrNot: {
+    // Compilers ask for parentheses around `&` inside of `|`.
+    const Precedence inner = Precedence::Not;
+    auto side = [&](ir::ValueId v, bool invert) {
+      const Expression e = expression(plan, v);
+      const bool bare = !invert && e.precedence == Precedence::Or;
+      return (invert ? "!" : "") + (bare ? e.text : operand_of(e, inner));
+    };
+    return {side(o.a, false) + " | " + side(o.b, o.op == Op::OrNot), Precedence::Or};
+  }
+  case Op::Xor:
+    return {fmt::format("{} ^ {}", operand_of(expression(plan, o.a), Precedence::Not), operand_of(expression(plan, o.b), Precedence::Not)),
+            Precedence::Xor};
+  case Op::Rising:
+  case Op::Falling:
+    return {fmt::format("{}({}, {})", o.op == Op::Rising ? "rising" : "falling", bit_text(context_, o.place), expression(plan, o.a).text)};
+  default:
+    return {call_text(context_, o)};
+  }
+}
+
+}  // namespace ladderc::emit

@@ -1,0 +1,40 @@
+// One rung as C++ statements.
+#pragma once
+
+#include "emit/expressions.h"
+#include "emit/writer.h"
+
+#include "llvm/ADT/StringSet.h"
+
+namespace ladderc::emit {
+
+class RungEmitter {
+public:
+  RungEmitter(const ir::Module &module, const PlaceContext &context, Writer &out, bool group_calls)
+      : module_(module), context_(context), out_(out), group_calls_(group_calls) {}
+
+  /// Call before the first rung of a function: names of lines are unique within one.
+  void begin_function() { names_.clear(); }
+  void emit(const ir::Rung &rung);
+
+private:
+  void emit_operation(const ir::Rung &rung, const RungPlan &plan, std::size_t index);
+  void emit_call(const ir::Operation &o);
+  void emit_run(const RungPlan &plan, const ir::Operation &o);
+  Expression expression(const RungPlan &plan, ir::ValueId v);
+  Expression operation_text(const RungPlan &plan, const ir::Operation &o);
+  std::string line_name(std::uint32_t step);
+
+  const ir::Module &module_;
+  const PlaceContext &context_;
+  Writer &out_;
+  bool group_calls_;
+  const ir::Rung *rung_ = nullptr;
+  std::vector<std::string> value_names_;
+  llvm::StringSet<> names_;
+};
+
+/// True where a rung may stop the scan (its function returns bool).
+bool can_stop(const ir::Rung &rung);
+
+}  // namespace ladderc::emit

@@ -1,0 +1,70 @@
+// The rungs of one function with the list above them.
+//
+//     // rung 3, step 9        LD T0 · OUT C0 K3
+//
+// Statements of the list stand on lines of their own above, comments of its lines and notes behind the instructions' text.
+#include "emit/frame.h"
+#include "emit/list_text.h"
+#include "emit/names.h"
+
+namespace ladderc::emit {
+
+namespace {
+
+/// Comments of the list, found by instruction index.
+class CommentFinder {
+public:
+  explicit CommentFinder(const Frame &frame, std::uint32_t from) : frame_(frame), comments_(frame.program.list.comments) {
+    while (next_ < comments_.size() && comments_[next_].instruction < from)
+      ++next_;
+  }
+  /// Statements above, and the other comments of instructions up to `last`, in the list's order.
+  void take(std::uint32_t last, std::vector<std::string> &statements, std::vector<std::string> &notes) {
+    for (; next_ < comments_.size() && comments_[next_].instruction <= last; ++next_) {
+      std::string text = comment_text(frame_.sources, comments_[next_].range);
+      (comments_[next_].kind == CommentKind::Statement ? statements : notes).push_back(std::move(text));
+    }
+  }
+
+private:
+  const Frame &frame_;
+  llvm::ArrayRef<Comment> comments_;
+  std::size_t next_ = 0;
+};
+
+std::string rung_text(const Frame &frame, const ir::Rung &rung) {
+  std::string text;
+  for (std::uint32_t i = 0; i < rung.instruction_count; ++i) {
+    text += i ? " · " : "";
+    text += list_text(frame.program, frame.program.list.instructions[rung.first_instruction + i]);
+  }
+  return text;
+}
+
+}  // namespace
+
+void write_rungs(const Frame &frame, Writer &out, const Chunk &chunk, llvm::StringRef file_name) {
+  const std::vector<ir::Rung> &rungs = frame.module.routines.front().rungs;
+  RungEmitter emitter(frame.module, frame.places, out, frame.options.level > 0);
+  emitter.begin_function();
+  CommentFinder comments(frame, rungs[chunk.first].first_instruction);
+  for (std::size_t i = chunk.first; i <= chunk.last; ++i) {
+    const ir::Rung &rung = rungs[i];
+    std::vector<std::string> statements, notes;
+    comments.take(rung.first_instruction + rung.instruction_count - 1, statements, notes);
+    for (const std::string &statement : statements)
+      out.comment(statement);
+    std::string text = fmt::format("{:<24} {}", fmt::format("rung {}, step {}", rung.number, rung.step), rung_text(frame, rung));
+    for (const std::string &note : notes)
+      text += "    " + note;
+    out.comment(text, 25);
+    if (frame.options.line_directives && !rung.operations.empty())
+      out.left(fmt::format("#line {} {}", frame.sources.position(rung.range).line, quoted(frame.list().name())));
+    emitter.emit(rung);
+    if (frame.options.line_directives && !rung.operations.empty())
+      out.left(fmt::format("#line {} {}", out.lines() + 2, quoted(file_name)));
+    out.blank();
+  }
+}
+
+}  // namespace ladderc::emit

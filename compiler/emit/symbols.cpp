@@ -1,0 +1,178 @@
+// NAME.symbols.cpp: names, addresses and entry points for hosts.
+#include "emit/frame.h"
+#include "emit/list_text.h"
+#include "emit/names.h"
+#include "syntax/parser.h"
+
+#include "llvm/Support/Path.h"
+
+namespace ladderc::emit {
+
+namespace {
+
+void write_devices(const Frame &frame, Writer &out) {
+  out.line("const {} probe{{}};  // only its addresses are used", frame.class_name);
+  out.blank();
+  {
+    const Block body = out.block("std::uint32_t offset_of(const void *member)");
+    out.line("return static_cast<std::uint32_t>(static_cast<const char *>(member) - reinterpret_cast<const char *>(&probe));");
+  }
+  out.blank();
+  const Block table = out.block("const ladder::DeviceSymbol kDevices[] =", "};");
+  for (std::size_t id = 0; id < frame.layout.count.size(); ++id) {
+    const DeviceInfo &device = frame.program.family->devices[id];
+    const auto device_id = static_cast<DeviceId>(id);
+    if (device.kind == DeviceKind::Nesting || device.kind == DeviceKind::Label)
+      continue;
+    const char *shape = device.kind == DeviceKind::Bit       ? "Bits"
+                        : device.kind == DeviceKind::Timer   ? "Timers"
+                        : device.kind == DeviceKind::Counter ? "Counters"
+                                                             : "Words";
+    const bool present = frame.own_image(device_id) || frame.in_system(device_id);
+    const std::string image = "probe." + device.image.str();
+    out.line("{{{}, {}, {}, {}, {}, {}, {}, {}}},", quoted(device.prefix),
+             present ? fmt::format("ladder::shape_of<decltype({})>()", image) : fmt::format("ladder::Shape::{}", shape),
+             unsigned(device.radix), device.external_input, device.external_output,
+             present ? fmt::format("ladder::count_of<decltype({})>()", image) : "0", frame.program.parameters.points[id],
+             present ? fmt::format("offset_of(&{})", image) : "0");
+  }
+}
+
+unsigned write_steps(const Frame &frame, Writer &out) {
+  const Block table = out.block("const ladder::StepSymbol kSteps[] =", "};");
+  unsigned count = 0;
+  for (const Instruction &instruction : frame.program.list.instructions) {
+    const InstructionInfo &info = *instruction.info;
+    const bool end = info.lowering == Lowering::End;
+    if (info.error_code || info.stops_scan || end) {
+      out.line("{{{}, {}, {}}},", instruction.step, frame.sources.position(instruction.range).line,
+               quoted(list_text(frame.program, instruction)));
+      ++count;
+    }
+    if (end)
+      break;
+  }
+  return count;
+}
+
+void write_latched(const Frame &frame, Writer &out) {
+  for (const InitialValue &value : frame.program.parameters.latched_values) {
+    const llvm::StringRef written(value.device);
+    const Operand operand = parse_operand(*frame.program.family, written.split(':').first, {});
+    if (operand.value >= frame.layout.count[operand.device])
+      continue;
+    const bool bit = frame.program.family->devices[operand.device].kind == DeviceKind::Bit;
+    const ir::Place place = ir::to_place(operand, bit ? OperandType::Bit : written.contains(':') ? OperandType::DWord : OperandType::Word);
+    if (bit)
+      out.line("program->{} = ladder::bit({});", bit_text(frame.places, place), value.value ? "true" : "false");
+    else
+      out.line("program->{} = {};", output_text(frame.places, place), value.value);
+  }
+}
+
+void write_entries(const Frame &frame, Writer &out) {
+  const std::string &name = frame.class_name;
+  auto entry = [&](const char *signature, const char *body) {
+    const Block block = out.block(signature);
+    out.text(body);
+  };
+  out.line("{0} &self(void *program) {{ return *static_cast<{0} *>(program); }}", name);
+  {
+    const Block block = out.block("void construct(void *memory)");
+    if (frame.program.parameters.latched_values.empty()) {
+      out.line("new (memory) {}{{}};", name);
+    } else {
+      out.line("auto *program = new (memory) {}{{}};", name);
+      write_latched(frame, out);
+    }
+  }
+  entry("void power_on(void *program)", "self(program).power_on();");
+  entry("void set_mode(void *program, ladder::Mode mode)", "self(program).set_mode(mode);");
+  entry("void scan(void *program, ladder::Micros now)", "self(program).scan(now);");
+  entry("ladder::Status status(const void *program)",
+        fmt::format("return static_cast<const {} *>(program)->sys.status();", name).c_str());
+  entry("void set_calendar(void *program, ladder::Calendar calendar)", "self(program).sys.set_calendar(calendar);");
+  entry("void watchdog(void *program)", "self(program).sys.watchdog_error();");
+}
+
+void write_errors(const Frame &frame, Writer &out) {
+  const Block table = out.block("const ladder::ErrorSymbol kErrors[] =", "};");
+  for (const ErrorInfo &error : frame.program.family->errors)
+    out.line("{{{}, {}}},", error.code, quoted(error.name));
+}
+
+std::uint32_t instruction_count(const Frame &frame) {
+  std::uint32_t count = 0;
+  for (const Instruction &instruction : frame.program.list.instructions) {
+    ++count;
+    if (instruction.info->lowering == Lowering::End)
+      break;
+  }
+  return count;
+}
+
+}  // namespace
+
+std::string write_symbols(const Frame &frame) {
+  Writer out;
+  const std::string file = frame.stem + ".symbols.cpp";
+  out.comment(frame.head_line(file));
+  out.comment("For hosts that look at devices by name. Firmware need not link it.");
+  out.line("#include \"{}.h\"", frame.stem);
+  out.blank();
+  out.line("#include <ladder/describe.h>");
+  out.line("#include <ladder/symbols.h>");
+  out.blank();
+  out.line("#include <new>");
+  out.blank();
+  out.line("namespace {} {{", frame.options.name_space);
+  out.line("namespace {{");
+  out.blank();
+  write_devices(frame, out);
+  out.blank();
+  write_steps(frame, out);
+  out.blank();
+  write_errors(frame, out);
+  out.blank();
+  write_entries(frame, out);
+  out.blank();
+  out.line("}}  // namespace");
+  out.blank();
+  out.line("extern const ladder::ProgramSymbols k{}Symbols;", frame.class_name);
+  {
+    const Block table = out.block(fmt::format("const ladder::ProgramSymbols k{}Symbols =", frame.class_name), "};");
+    out.line("{}, {}, {}, {},", quoted(frame.class_name), quoted(frame.program.family->id), quoted(frame.program.model),
+             quoted(frame.list_name()));
+    out.line("sizeof({0}), alignof({0}),", frame.class_name);
+    out.line("{}, {}, {},", instruction_count(frame), frame.program.rungs, frame.program.steps);
+    out.line("kDevices, sizeof kDevices / sizeof *kDevices,");
+    out.line("kSteps, sizeof kSteps / sizeof *kSteps,");
+    out.line("kErrors, sizeof kErrors / sizeof *kErrors,");
+    out.line("construct, power_on, set_mode, scan, status, set_calendar,");
+    out.line("{}, watchdog,", frame.program.parameters.watchdog_us);
+  }
+  out.blank();
+  out.line("}}  // namespace {}", frame.options.name_space);
+  return out.take();
+}
+
+OutputFile emit_cmake(const std::vector<OutputFile> &files, const EmitOptions &) {
+  Writer out;
+  std::string stem, sources;
+  for (const OutputFile &file : files) {
+    if (llvm::StringRef(file.name).ends_with(".h"))
+      stem = llvm::sys::path::stem(file.name).str();
+    else if (!llvm::StringRef(file.name).ends_with(".symbols.cpp"))
+      sources += fmt::format("\n  ${{CMAKE_CURRENT_LIST_DIR}}/{}", file.name);
+  }
+  out.text("# " + stem + ".cmake: include() it, with LADDER_RUNTIME set to ladderc's runtime/include folder.");
+  out.text(fmt::format("add_library({} STATIC{})", stem, sources));
+  out.text(fmt::format("target_include_directories({} PUBLIC ${{CMAKE_CURRENT_LIST_DIR}} ${{LADDER_RUNTIME}})", stem));
+  out.text(fmt::format("target_compile_features({} PUBLIC cxx_std_17)", stem));
+  out.text("# Names, addresses and entry points for hosts; firmware need not link it.");
+  out.text(fmt::format("add_library({0}_symbols STATIC ${{CMAKE_CURRENT_LIST_DIR}}/{0}.symbols.cpp)", stem));
+  out.text(fmt::format("target_link_libraries({0}_symbols PUBLIC {0})", stem));
+  return {stem + ".cmake", out.take()};
+}
+
+}  // namespace ladderc::emit

@@ -1,0 +1,93 @@
+// Indentation and line breaking of generated text.
+#include "emit/writer.h"
+
+#include "llvm/Support/Unicode.h"
+
+#include <algorithm>
+
+namespace ladderc::emit {
+
+namespace {
+
+constexpr unsigned kColumns = 120;
+
+unsigned width(llvm::StringRef text) {
+  const int columns = llvm::sys::unicode::columnWidthUTF8(text);
+  return columns < 0 ? static_cast<unsigned>(text.size()) : static_cast<unsigned>(columns);
+}
+
+/// The last place before `limit` bytes at which a statement may be broken: behind a comma or before an operator.
+std::size_t break_place(llvm::StringRef text, std::size_t limit) {
+  for (llvm::StringRef mark : {" | ", " & ", ", "}) {
+    const std::size_t at = text.take_front(limit).rfind(mark);
+    if (at != llvm::StringRef::npos && at > limit / 3)
+      return mark == ", " ? at + 1 : at;
+  }
+  return llvm::StringRef::npos;
+}
+
+}  // namespace
+
+void Writer::raw(unsigned indent, llvm::StringRef line) {
+  if (!line.empty()) {
+    out_.append(indent, ' ');
+    out_.append(line.data(), line.size());
+  }
+  out_ += '\n';
+  ++lines_;
+}
+
+void Writer::text(llvm::StringRef line) { raw(indent_, line); }
+
+void Writer::left(llvm::StringRef line, unsigned indent) { raw(indent, line); }
+
+void Writer::blank() { raw(0, ""); }
+
+void Writer::statement(llvm::StringRef statement) {
+  unsigned indent = indent_;
+  while (indent + statement.size() > kColumns) {
+    const std::size_t at = break_place(statement, kColumns - indent);
+    if (at == llvm::StringRef::npos)
+      break;
+    raw(indent, statement.take_front(at));
+    statement = statement.drop_front(at).ltrim();
+    indent = indent_ + 4;
+  }
+  raw(indent, statement);
+}
+
+void Writer::comment(llvm::StringRef text, unsigned hang) {
+  bool first = true;
+  do {
+    std::size_t taken = text.size();
+    const unsigned room = kColumns - indent_ - 3 - (first ? 0 : hang);
+    if (width(text) > room) {
+      taken = 0;
+      for (std::size_t blank = text.find(' '); blank != llvm::StringRef::npos && width(text.take_front(blank)) <= room;
+           blank = text.find(' ', blank + 1))
+        taken = blank;
+      if (taken == 0 || (first && taken < hang))
+        taken = std::min(text.find(' ', first ? hang : 0), text.size());
+    }
+    std::string line = "// " + std::string(first ? 0 : hang, ' ') + text.take_front(taken).rtrim().str();
+    // A backslash at the end would join the next line to the comment.
+    if (line.back() == '\\')
+      line += '.';
+    raw(indent_, llvm::StringRef(line).rtrim());
+    text = text.drop_front(taken).ltrim();
+    first = false;
+  } while (!text.empty());
+}
+
+Block Writer::block(llvm::StringRef head, llvm::StringRef end) {
+  statement(head.str() + " {");
+  indent_ += 2;
+  return Block(*this, end.str());
+}
+
+Block::~Block() {
+  writer_->indent_ -= 2;
+  writer_->text(end_);
+}
+
+}  // namespace ladderc::emit

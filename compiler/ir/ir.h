@@ -1,0 +1,130 @@
+// The intermediate representation: what a list does, without its stacks.
+//
+// A routine is a sequence of rungs, a rung a sequence of operations in the order of the list. Boolean results are SSA values local to
+// their rung; everything that outlives a rung is a place: a device, a private edge memory, a master control state. Effects are ordered, and a
+// load happens where its contact stands, so that a later contact sees what an earlier coil wrote in the same scan.
+//
+// The IR knows no family: an application instruction is a Call or Test of a runtime function with places as arguments. Families bring
+// device classes (for printing and emission) by reference to their table.
+#pragma once
+
+#include "support/source.h"
+#include "sema/check.h"
+#include "tables/tables.h"
+
+#include "llvm/ADT/SmallVector.h"
+#include "llvm/ADT/StringRef.h"
+#include "llvm/Support/raw_ostream.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace ladderc::ir {
+
+using ValueId = std::uint32_t;
+constexpr ValueId kNoValue = ~0u;
+
+enum class PlaceKind : std::uint8_t {
+  Bit,        ///< device bit, or the contact of a timer or counter
+  WordBit,    ///< bit `bit` of a word device
+  Word,       ///< the words from `number` on; how many, the operand type says
+  Digits,     ///< `digits` groups of four bits from `number` on
+  Object,     ///< a whole timer, counter or annunciator
+  Decimal,    ///< constant, written in decimal
+  Hex,        ///< constant, written in hexadecimal
+  Edge,       ///< private edge memory `number`
+  Master,     ///< master control state of level `number`
+};
+
+/// Something that an operation reads or writes, or a constant.
+struct Place {
+  PlaceKind kind = PlaceKind::Decimal;
+  OperandType type = OperandType::Bit;
+  DeviceId device = kNoDevice;
+  std::uint8_t digits = 0;
+  std::uint8_t bit = 0;
+  std::uint32_t number = 0;
+  std::int64_t value = 0;   ///< of a constant
+
+  bool is_constant() const { return kind == PlaceKind::Decimal || kind == PlaceKind::Hex; }
+  bool operator==(const Place &) const = default;
+};
+
+enum class Op : std::uint8_t {
+  Constant,  ///< %n = const 0|1
+  Load,      ///< %n = load PLACE
+  Not,       ///< %n = not %a
+  And,       ///< %n = and %a, %b
+  AndNot,    ///< %n = andn %a, %b        a and not b
+  Or,        ///< %n = or %a, %b
+  OrNot,     ///< %n = orn %a, %b         a or not b
+  Xor,       ///< %n = xor %a, %b
+  Rising,    ///< %n = rising PLACE, %a   edge against the memory PLACE, which becomes %a
+  Falling,   ///< %n = falling PLACE, %a
+  Test,      ///< %n = test FUNCTION (PLACES)
+  Store,     ///< store PLACE, %a
+  Set,       ///< set PLACE if %a
+  Reset,     ///< reset PLACE if %a
+  Call,      ///< call FUNCTION if %a (PLACES) -> (PLACES); without `if`: always
+  Run,       ///< run FUNCTION with %a (PLACES) -> (PLACES): every scan, the condition is an argument
+};
+
+bool is_value(Op op);
+llvm::StringRef name(Op op);
+
+struct Operation {
+  Op op;
+  ValueId result = kNoValue;          ///< of value operations; dense within the rung
+  ValueId a = kNoValue, b = kNoValue;
+  bool constant = false;              ///< of Constant
+  const InstructionInfo *info = nullptr;  ///< the table entry of Test, Call, Run: function, style, errors
+  std::uint32_t step = 0;             ///< of the instruction that it came from
+  Place place;                        ///< of Load, Rising, Falling, Store, Set, Reset
+  llvm::SmallVector<Place, 0> inputs; ///< of Test, Call, Run
+  llvm::SmallVector<Place, 0> outputs;
+};
+
+struct Rung {
+  std::uint32_t number = 0;           ///< 1-based, as sema counts
+  std::uint32_t step = 0;             ///< of its first instruction
+  std::uint32_t first_instruction = 0, instruction_count = 0;  ///< in the list
+  SourceRange range;                  ///< of its first mnemonic
+  std::vector<Operation> operations;
+  std::uint32_t values = 0;           ///< value numbers 0 to values - 1 are used
+};
+
+struct EdgeMemory {
+  std::uint32_t step;                 ///< of the instruction that owns it
+};
+
+struct Routine {
+  std::string name;
+  std::vector<Rung> rungs;
+};
+
+/// One list as IR. Holds no text of its own: places of the list are ranges in `sources`.
+struct Module {
+  const FamilyInfo *family = nullptr;
+  std::string name;                   ///< of the program
+  std::vector<Routine> routines;      ///< the first is the main routine
+  std::vector<EdgeMemory> edges;      ///< private edge memories by number
+  std::uint8_t master_levels = 0;     ///< master control states 0 to master_levels - 1 are used
+};
+
+/// Text form, stable and complete: parse(print(m)) prints the same.
+void print(const Module &module, const SourceSet &sources, llvm::raw_ostream &out);
+std::string to_text(const Module &module, const Place &place);
+std::string to_text(const Module &module, const Operation &operation);
+
+/// The place that an operand of a list means in a position of that type.
+Place to_place(const Operand &operand, OperandType type);
+
+/// Checks that values are defined once and before use, dense numbering, operand counts against the table entry, and that places exist.
+/// Returns what is wrong, or an empty text.
+std::string verify(const Module &module);
+
+/// Reads the text form into `module`, whose family is set. On failure returns false and `error` says line and reason.
+bool parse(llvm::StringRef text, Module &module, std::string &error);
+
+}  // namespace ladderc::ir

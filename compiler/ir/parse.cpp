@@ -1,0 +1,274 @@
+// Reads the text form of the IR. Used by tests and by `ladderc` on .ir files, so that a pass can be tried alone.
+//
+// Places are read with the operand reader of the lists, since they are written the same way; the table entry of a call is found by its
+// form and its numbers of inputs and outputs.
+#include "ir/ir.h"
+#include "syntax/parser.h"
+
+#include "llvm/ADT/StringExtras.h"
+
+#include <fmt/format.h>
+
+#include <optional>
+
+namespace ladderc::ir {
+
+namespace {
+
+class Parser {
+public:
+  Parser(Module &module, std::string &error) : module_(module), error_(error) {}
+
+  bool run(llvm::StringRef text) {
+    while (!text.empty()) {
+      auto [line, rest] = text.split('\n');
+      text = rest;
+      ++line_;
+      line_text_ = line.split(";;;").first.trim();
+      if (!line_text_.empty() && !line_text_.starts_with(";") && !parse_line())
+        return false;
+    }
+    if (open_)
+      return fail("routine is not closed");
+    return true;
+  }
+
+private:
+  bool fail(llvm::StringRef what) {
+    error_ = fmt::format("line {}: {}", line_, what.str());
+    return false;
+  }
+
+  bool parse_line() {
+    if (take("edges")) {
+      llvm::SmallVector<llvm::StringRef> steps;
+      line_text_.split(steps, ',');
+      for (llvm::StringRef s : steps) {
+        EdgeMemory e{};
+        if (s.trim().getAsInteger(10, e.step))
+          return fail("step number expected");
+        module_.edges.push_back(e);
+      }
+      return true;
+    }
+    if (take("levels"))
+      return !line_text_.getAsInteger(10, module_.master_levels) || fail("number of levels expected");
+    if (take("routine")) {
+      module_.routines.push_back({take_word().str(), {}});
+      open_ = true;
+      return take("{") || fail("'{' expected");
+    }
+    if (line_text_ == "}") {
+      open_ = false;
+      return true;
+    }
+    if (!open_)
+      return fail("routine expected");
+    if (take("rung"))
+      return parse_rung();
+    if (module_.routines.back().rungs.empty())
+      return fail("rung expected");
+    return parse_operation();
+  }
+
+  bool parse_rung() {
+    Rung rung;
+    rung.number = static_cast<std::uint32_t>(module_.routines.back().rungs.size() + 1);
+    if (take_word().getAsInteger(10, rung.step))
+      return fail("step number expected");
+    rung.range = SourceRange(0, 0, 0xFF);
+    module_.routines.back().rungs.push_back(std::move(rung));
+    return true;
+  }
+
+  bool parse_operation() {
+    Rung &rung = module_.routines.back().rungs.back();
+    Operation o{};
+    o.step = rung.step;
+    if (line_text_.starts_with("%")) {
+      if (!take_value(o.result) || !take("="))
+        return fail("'%N =' expected");
+      rung.values = std::max(rung.values, o.result + 1);
+    }
+    const llvm::StringRef word = take_word();
+    const std::optional<Op> op = find(word);
+    if (!op || is_value(*op) != (o.result != kNoValue))
+      return fail("unknown operation");
+    o.op = *op;
+    if (!parse_operands(o))
+      return false;
+    if (!line_text_.empty())
+      return fail("text behind the operation");
+    rung.operations.push_back(std::move(o));
+    return true;
+  }
+
+  bool parse_operands(Operation &o) {
+    switch (o.op) {
+    case Op::Constant:
+      o.constant = line_text_ == "1";
+      line_text_ = {};
+      return true;
+    case Op::Load:
+      return parse_place(o.place, OperandType::Bit);
+    case Op::Not:
+      return take_value(o.a) || fail("value expected");
+    case Op::And:
+    case Op::AndNot:
+    case Op::Or:
+    case Op::OrNot:
+    case Op::Xor:
+      return (take_value(o.a) && take(",") && take_value(o.b)) || fail("two values expected");
+    case Op::Rising:
+    case Op::Falling:
+    case Op::Store:
+      return parse_place(o.place, OperandType::Bit) && ((take(",") && take_value(o.a)) || fail("value expected"));
+    case Op::Set:
+    case Op::Reset:
+      return parse_place(o.place, OperandType::Bit) && ((take("if") && take_value(o.a)) || fail("condition expected"));
+    case Op::Test:
+    case Op::Call:
+    case Op::Run:
+      return parse_call(o);
+    }
+    return false;
+  }
+
+  bool parse_call(Operation &o) {
+    std::string form;
+    if (take("\"")) {
+      form = line_text_.take_until([](char c) { return c == '"'; }).str();
+      line_text_ = line_text_.drop_front(std::min(form.size() + 1, line_text_.size())).ltrim();
+    } else {
+      form = take_word().str();
+    }
+    if ((take("if") || take("with")) && !take_value(o.a))
+      return fail("condition expected");
+    llvm::SmallVector<llvm::StringRef> inputs, outputs;
+    if (!take_list(inputs) || (take("->") && !take_list(outputs)))
+      return fail("operand list expected");
+    if (take("at") && take_word().getAsInteger(10, o.step))
+      return fail("step number expected");
+    for (const InstructionInfo &info : module_.family->instructions)
+      if (info.form == form && info.inputs.size() == inputs.size() && info.outputs.size() == outputs.size() && !o.info)
+        o.info = &info;
+    if (!o.info)
+      return fail("no such instruction form");
+    for (std::size_t i = 0; i < inputs.size(); ++i)
+      if (!parse_place(inputs[i], o.inputs.emplace_back(), o.info->operands[o.info->inputs[i]].type))
+        return false;
+    for (std::size_t i = 0; i < outputs.size(); ++i)
+      if (!parse_place(outputs[i], o.outputs.emplace_back(), o.info->operands[o.info->outputs[i]].type))
+        return false;
+    return true;
+  }
+
+  bool parse_place(Place &place, OperandType type) {
+    return parse_place(line_text_.take_while([](char c) { return c != ',' && c != ' '; }), place, type, true);
+  }
+
+  bool parse_place(llvm::StringRef word, Place &place, OperandType type, bool consume = false) {
+    if (consume)
+      line_text_ = line_text_.drop_front(word.size()).ltrim();
+    place.type = type;
+    for (auto [prefix, kind] : {std::pair{llvm::StringRef("edge"), PlaceKind::Edge}, {llvm::StringRef("master"), PlaceKind::Master}})
+      if (word.starts_with(prefix)) {
+        place.kind = kind;
+        return !word.drop_front(prefix.size()).getAsInteger(10, place.number) || fail("number expected");
+      }
+    if (!word.getAsInteger(10, place.value)) {
+      place.kind = PlaceKind::Decimal;
+      return true;
+    }
+    const Operand operand = parse_operand(*module_.family, word, {});
+    if (operand.kind == OperandKind::Invalid)
+      return fail(fmt::format("'{}' is no place", word.str()));
+    place = to_place(operand, type);
+    return true;
+  }
+
+  bool take(llvm::StringRef token) {
+    if (!line_text_.starts_with(token))
+      return false;
+    const llvm::StringRef rest = line_text_.drop_front(token.size());
+    if (llvm::isAlpha(token.back()) && !rest.empty() && rest.front() != ' ')
+      return false;
+    line_text_ = rest.ltrim();
+    return true;
+  }
+
+  llvm::StringRef take_word() {
+    const llvm::StringRef word = line_text_.take_until([](char c) { return c == ' '; });
+    line_text_ = line_text_.drop_front(word.size()).ltrim();
+    return word;
+  }
+
+  bool take_value(ValueId &value) {
+    if (!line_text_.starts_with("%"))
+      return false;
+    const llvm::StringRef digits = line_text_.drop_front().take_while(llvm::isDigit);
+    line_text_ = line_text_.drop_front(1 + digits.size()).ltrim();
+    return !digits.getAsInteger(10, value);
+  }
+
+  bool take_list(llvm::SmallVectorImpl<llvm::StringRef> &items) {
+    if (!take("("))
+      return false;
+    const std::size_t end = line_text_.find(')');
+    if (end == llvm::StringRef::npos)
+      return false;
+    line_text_.take_front(end).split(items, ',', -1, false);
+    for (llvm::StringRef &item : items)
+      item = item.trim();
+    line_text_ = line_text_.drop_front(end + 1).ltrim();
+    return true;
+  }
+
+  static std::optional<Op> find(llvm::StringRef word) {
+    for (unsigned i = 0; i <= static_cast<unsigned>(Op::Run); ++i)
+      if (name(static_cast<Op>(i)) == word)
+        return static_cast<Op>(i);
+    return std::nullopt;
+  }
+
+  Module &module_;
+  std::string &error_;
+  llvm::StringRef line_text_;
+  unsigned line_ = 0;
+  bool open_ = false;
+};
+
+}  // namespace
+
+Place to_place(const Operand &operand, OperandType type) {
+  Place p;
+  p.type = type;
+  p.device = operand.device;
+  p.number = static_cast<std::uint32_t>(operand.value);
+  p.digits = operand.digits;
+  p.bit = operand.bit;
+  switch (operand.kind) {
+  case OperandKind::BitOfWord:
+    p.kind = PlaceKind::WordBit;
+    break;
+  case OperandKind::Digits:
+    p.kind = PlaceKind::Digits;
+    break;
+  case OperandKind::Decimal:
+  case OperandKind::Hexadecimal:
+    p.kind = operand.kind == OperandKind::Decimal ? PlaceKind::Decimal : PlaceKind::Hex;
+    p.number = 0;
+    // A pattern with the top bit set is a negative number of the operand's width.
+    p.value = type == OperandType::DWord ? static_cast<std::int32_t>(operand.value) : static_cast<std::int16_t>(operand.value);
+    break;
+  default:
+    p.kind = type == OperandType::Bit ? PlaceKind::Bit
+             : type == OperandType::Timer || type == OperandType::Counter || type == OperandType::Annunciator ? PlaceKind::Object
+                                                                                                              : PlaceKind::Word;
+  }
+  return p;
+}
+
+bool parse(llvm::StringRef text, Module &module, std::string &error) { return Parser(module, error).run(text); }
+
+}  // namespace ladderc::ir

@@ -1,0 +1,129 @@
+// The text form of the IR.
+#include "ir/extent.h"
+#include "ir/ir.h"
+
+#include "llvm/ADT/StringExtras.h"
+
+#include <fmt/format.h>
+
+namespace ladderc::ir {
+
+namespace {
+
+std::string number_text(const DeviceInfo &device, std::uint32_t number) {
+  if (device.radix == 16)
+    return fmt::format("{:X}", number);
+  if (device.radix == 8)
+    return fmt::format("{:o}", number);
+  return fmt::format("{}", number);
+}
+
+std::uint64_t mask_of(OperandType type) {
+  const std::uint32_t words = words_of(type);
+  return words >= 4 ? ~std::uint64_t{0} : (std::uint64_t{1} << (16 * words)) - 1;
+}
+
+std::string list_of(const Module &module, llvm::ArrayRef<Place> places) {
+  std::string text = "(";
+  for (const Place &p : places) {
+    if (text.size() > 1)
+      text += ", ";
+    text += to_text(module, p);
+  }
+  return text + ")";
+}
+
+std::string callee(const InstructionInfo &info) {
+  return info.form.contains(' ') ? fmt::format("\"{}\"", info.form.str()) : info.form.str();
+}
+
+}  // namespace
+
+std::string to_text(const Module &module, const Place &place) {
+  switch (place.kind) {
+  case PlaceKind::Decimal:
+    return fmt::format("{}", place.value);
+  case PlaceKind::Hex:
+    return fmt::format("H{:X}", static_cast<std::uint64_t>(place.value) & mask_of(place.type));
+  case PlaceKind::Edge:
+    return fmt::format("edge{}", place.number);
+  case PlaceKind::Master:
+    return fmt::format("master{}", place.number);
+  default:
+    break;
+  }
+  const DeviceInfo &device = module.family->devices[place.device];
+  std::string text = device.prefix.str() + number_text(device, place.number);
+  if (place.kind == PlaceKind::WordBit)
+    return fmt::format("{}.{:X}", text, place.bit);
+  if (place.kind == PlaceKind::Digits)
+    return fmt::format("K{}{}", place.digits, text);
+  return text;
+}
+
+std::string to_text(const Module &module, const Operation &o) {
+  std::string text;
+  if (is_value(o.op))
+    text = fmt::format("%{} = ", o.result);
+  text += name(o.op).str();
+  switch (o.op) {
+  case Op::Constant:
+    return text + (o.constant ? " 1" : " 0");
+  case Op::Load:
+    return text + " " + to_text(module, o.place);
+  case Op::Not:
+    return text + fmt::format(" %{}", o.a);
+  case Op::And:
+  case Op::AndNot:
+  case Op::Or:
+  case Op::OrNot:
+  case Op::Xor:
+    return text + fmt::format(" %{}, %{}", o.a, o.b);
+  case Op::Rising:
+  case Op::Falling:
+  case Op::Store:
+    return text + fmt::format(" {}, %{}", to_text(module, o.place), o.a);
+  case Op::Set:
+  case Op::Reset:
+    return text + fmt::format(" {} if %{}", to_text(module, o.place), o.a);
+  case Op::Test:
+    return text + fmt::format(" {} {}", callee(*o.info), list_of(module, o.inputs));
+  case Op::Call:
+  case Op::Run:
+    text += " " + callee(*o.info);
+    if (o.a != kNoValue)
+      text += fmt::format(" {} %{}", o.op == Op::Run ? "with" : "if", o.a);
+    text += " " + list_of(module, o.inputs);
+    if (!o.outputs.empty())
+      text += " -> " + list_of(module, o.outputs);
+    if (o.info->error_code != 0 || o.info->stops_scan)
+      text += fmt::format(" at {}", o.step);
+    return text;
+  }
+  return text;
+}
+
+void print(const Module &module, const SourceSet &sources, llvm::raw_ostream &out) {
+  if (!module.edges.empty()) {
+    out << "edges";
+    for (std::size_t i = 0; i < module.edges.size(); ++i)
+      out << (i ? ", " : " ") << module.edges[i].step;
+    out << "\n";
+  }
+  if (module.master_levels)
+    out << "levels " << unsigned(module.master_levels) << "\n";
+  for (const Routine &routine : module.routines) {
+    out << "routine " << routine.name << " {\n";
+    for (const Rung &rung : routine.rungs) {
+      out << "  rung " << rung.step;
+      if (rung.range.file < sources.size())
+        out << " \"" << sources[rung.range.file].name() << "\":" << sources.position(rung.range).line;
+      out << "\n";
+      for (const Operation &o : rung.operations)
+        out << "    " << to_text(module, o) << "\n";
+    }
+    out << "}\n";
+  }
+}
+
+}  // namespace ladderc::ir
