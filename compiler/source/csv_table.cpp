@@ -98,7 +98,8 @@ std::optional<std::size_t> behind_head(const Sample &sample) {
 bool is_bare_table(const Sample &sample, char delimiter) {
   bool wide = false;
   for (const Row &row : sample.rows) {
-    if (!is_data(row) || row.size() < 3 || (filled(row, 1) && filled(row, 2)))
+    const bool damaged = llvm::any_of(row, [](const Cell &cell) { return cell.unclosed; });
+    if (!is_data(row) || row.size() < (damaged ? 2 : 3) || (filled(row, 1) && filled(row, 2)))
       return false;
     wide = wide || row.size() >= (delimiter == '\t' ? kProgramColumns : 4);
   }
