@@ -26,6 +26,14 @@ Nanoseconds run_batch(Instance &instance, Stimulus &stimulus, std::uint64_t scan
   return SteadyClock::now() - begin;
 }
 
+double time_stimulus(const Instance &instance, Stimulus &stimulus) {
+  constexpr int kTimes = 1000;
+  auto begin = SteadyClock::now();
+  for (int i = 0; i < kTimes; ++i)
+    stimulus.apply(instance);
+  return std::chrono::duration<double, std::nano>(SteadyClock::now() - begin).count() / kTimes;
+}
+
 std::uint64_t count(Nanoseconds time) {
   return static_cast<std::uint64_t>(std::max<Nanoseconds::rep>(time.count(), 1));
 }
@@ -53,6 +61,7 @@ BenchResult run_bench(Instance &instance, Stimulus &stimulus, std::optional<std:
     if (instance.stopped_by_itself())
       break;
   }
+  result.stimulus = time_stimulus(instance, stimulus);
   result.stopped = instance.stopped_by_itself();
   return result;
 }
@@ -67,6 +76,7 @@ void print_bench(const Instance &instance, const BenchResult &result, std::FILE 
                                  {"max", times.max()},
                                  {"mean", times.mean()},
                                  {"scans", times.scans()},
+                                 {"stimulus", result.stimulus},
                                  {"batch", result.batch},
                                  {"warm_up_scans", result.warm_up_scans},
                                  {"instructions", instructions},

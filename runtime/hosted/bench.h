@@ -20,6 +20,7 @@ struct BenchResult {
   ScanTimes times;
   std::uint64_t warm_up_scans = 0;
   std::uint64_t batch = 0;  ///< scans between two readings of the clock
+  double stimulus = 0;      ///< nanoseconds that the stimulus alone takes before each scan
   bool stopped = false;     ///< the CPU stopped: the times mean nothing
 };
 

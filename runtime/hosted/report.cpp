@@ -15,6 +15,7 @@ std::string error_name(const ProgramSymbols &symbols, std::uint16_t code) {
   return found == errors.end() ? std::string() : found->name;
 }
 
+/// Null where the error is not one of an instruction: a watchdog's, say.
 const StepSymbol *find_step(const ProgramSymbols &symbols, std::uint32_t step) {
   std::span steps(symbols.step_symbols, symbols.step_symbol_count);
   auto found = std::find_if(steps.begin(), steps.end(), [&](const StepSymbol &s) { return s.step == step; });
@@ -30,11 +31,10 @@ nlohmann::ordered_json error_json(const Instance &instance) {
   Status status = instance.status();
   if (status.error == 0)
     return nullptr;
-  nlohmann::ordered_json error = {{"code", status.error},
-                                  {"name", error_name(instance.symbols(), status.error)},
-                                  {"stopped", instance.stopped_by_itself()},
-                                  {"step", status.step}};
+  nlohmann::ordered_json error = {
+      {"code", status.error}, {"name", error_name(instance.symbols(), status.error)}, {"stopped", instance.stopped_by_itself()}};
   if (const StepSymbol *step = find_step(instance.symbols(), status.step)) {
+    error["step"] = step->step;
     error["file"] = instance.symbols().list_file;
     error["line"] = step->line;
     error["text"] = step->text;
@@ -105,8 +105,7 @@ void print_error(const Instance &instance, std::FILE *err) {
              stopped ? fmt::format("stopped in scan {} with error", instance.scans()) : "reported error", status.error,
              name.empty() ? "" : " ", name);
   if (step != nullptr)
-    fmt::print(err, "{:>5} | {}\n", step->line, step->text);
-  fmt::print(err, "  = at: step {}\n", status.step);
+    fmt::print(err, "{:>5} | {}\n  = at: step {}\n", step->line, step->text, step->step);
 }
 
 }  // namespace ladder::hosted

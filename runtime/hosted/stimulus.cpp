@@ -2,6 +2,7 @@
 #include "hosted/stimulus.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
 
 namespace ladder::hosted {
@@ -16,20 +17,29 @@ std::uint64_t mix(std::uint64_t seed) {
   return seed != 0 ? seed : 1;
 }
 
-/// Bit i of `bits` as byte i of the result: each byte keeps one bit, and adding 0x7F carries any such bit into bit 7.
-std::uint64_t spread(std::uint64_t bits) {
-  std::uint64_t one_each = (bits & 0xFF) * 0x0101010101010101u & 0x8040201008040201u;
-  return (one_each + 0x7F7F7F7F7F7F7F7Fu) >> 7 & 0x0101010101010101u;
+/// Byte 0 of the value first, on every machine.
+void store_little(unsigned char *place, std::uint64_t value) {
+  if constexpr (std::endian::native == std::endian::little)
+    std::memcpy(place, &value, sizeof value);
+  else
+    for (unsigned i = 0; i < 8; ++i)
+      place[i] = static_cast<unsigned char>(value >> 8 * i);
+}
+
+/// 64 bytes of 0 or 1: each of eight rounds takes one bit out of every byte of the pattern.
+void write_64_bytes(unsigned char *place, std::uint64_t bits) {
+  for (unsigned round = 0; round < 8; ++round)
+    store_little(place + 8 * round, bits >> round & 0x0101010101010101u);
 }
 
 void write_bytes(unsigned char *place, std::uint32_t count, std::uint64_t bits) {
-  for (std::uint32_t number = 0; number < count; number += 8, bits >>= 8) {
-    std::uint64_t bytes = spread(bits);
-    unsigned char eight[8];
-    for (unsigned i = 0; i < 8; ++i)
-      eight[i] = static_cast<unsigned char>(bytes >> 8 * i);
-    std::memcpy(place + number, eight, std::min<std::size_t>(8, count - number));
+  if (count == 64) {
+    write_64_bytes(place, bits);
+    return;
   }
+  unsigned char bytes[64];
+  write_64_bytes(bytes, bits);
+  std::memcpy(place, bytes, count);
 }
 
 void write_packed(unsigned char *place, std::uint32_t count, std::uint64_t bits) {
