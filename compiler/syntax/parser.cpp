@@ -63,8 +63,8 @@ private:
 
   unsigned count() const { return program_.instructions.back().operand_count; }
   bool has_room() const { return target_ == Target::Unknown || (target_ == Target::Known && count() < current_->max_operands); }
-  /// The instruction has as many operands as one of its entries takes.
-  bool satisfied() const { return target_ != Target::Known || current_->takes(count()); }
+  /// The instruction has as many operands as one of its entries takes, or more than all do.
+  bool satisfied() const { return target_ != Target::Known || current_->takes(count()) || !has_room(); }
 
   const FamilyInfo &family_;
   const SourceBuffer &buffer_;
@@ -119,6 +119,8 @@ std::size_t Parser::begin_line(const ListLine &line) {
   const bool misspelt = !readable && !line.starts_instruction && problem.looks_like_operand() && !satisfied();
   if ((readable || misspelt) && has_room())
     return 0;
+  if (readable && target_ == Target::Dropped)
+    return 1;
   if (readable) {
     report_stray(word);
     return 1;
