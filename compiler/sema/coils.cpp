@@ -1,8 +1,9 @@
 // Devices that several instructions drive.
 //
-// OUT, PLS and PLF write their device in every scan, so two of them on one device hide each other: a double coil, legal and mostly a
-// slip. SET and RST act only while ON and belong in pairs. The device of an MC tells the state of its region and must be nobody
-// else's. An edge relay is the memory of one place. The first instruction of each kind on each device is remembered in flat vectors.
+// OUT, PLS and PLF write their device in every scan, so two of them on one device hide each other: a double coil, legal and mostly
+// a slip. SET and RST act only while ON and belong in pairs. The device of an MC tells the state of its region and must be nobody
+// else's. An edge relay is the memory of one place. The first instruction of each kind on each device is remembered in flat
+// vectors.
 #include "sema/coils.h"
 
 #include "sema/names.h"
@@ -38,7 +39,8 @@ void Coils::visit(InstructionIndex index, const Resolved &resolved) {
     if (!is_written_bit(info.operands[k]) || operands[k].device == kNoDevice)
       continue;
     // RST of a whole word has a word entry of its own or names the word here; only bits are coils.
-    bool whole_word = operands[k].kind == OperandKind::Device && context_.family.devices[operands[k].device].kind == DeviceKind::Word;
+    bool whole_word =
+        operands[k].kind == OperandKind::Device && context_.family.devices[operands[k].device].kind == DeviceKind::Word;
     if (!whole_word && operands[k].kind != OperandKind::Digits)
       write(index, operands[k]);
     break;

@@ -1,8 +1,8 @@
 // Master control: the regions between MC and MCR.
 //
 // Levels ascend from the outer region to the inner one, so the open regions are a stack. MCR closes its level and all inner ones.
-// A mistake in one of the partners makes the other look wrong too: MC N0 ... MCR N1 is one mistake. Each report therefore excuses one
-// partner that is left over.
+// A mistake in one of the partners makes the other look wrong too: MC N0 ... MCR N1 is one mistake. Each report therefore excuses
+// one partner that is left over.
 #include "sema/master.h"
 
 #include "llvm/ADT/STLExtras.h"

@@ -1,8 +1,8 @@
 // Where a pair of words or a run of digits goes on when it crosses the end of its device class.
 //
 // The classes lie one behind the other in the controller's memory. `memory_order` numbers their places; a missing number is a gap.
-// Bits go on in bit classes only: timers and counters lie in between with contacts and coils, which no run of digits may touch. Words
-// go on in word classes and in the current values of timers and counters. Classes without points take no place.
+// Bits go on in bit classes only: timers and counters lie in between with contacts and coils, which no run of digits may touch.
+// Words go on in word classes and in the current values of timers and counters. Classes without points take no place.
 #include "sema/check.h"
 
 namespace ladderc {

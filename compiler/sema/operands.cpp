@@ -1,8 +1,8 @@
 // Numbers: device numbers, digit counts, constants, and how far an operand reaches.
 //
 // A pair of words or a run of digits is not stopped by the end of its device class: DMOV to the last D writes the first W too. The
-// manual says so, hence this is a warning; where nothing usable lies behind the class it is an error. Block instructions check their
-// range when they run, which is foreseen here where the length is a constant.
+// manual says so, hence this is a warning; where nothing usable lies behind the class it is an error. Block instructions check
+// their range when they run, which is foreseen here where the length is a constant.
 #include "sema/operands.h"
 
 #include "sema/check.h"
@@ -49,7 +49,9 @@ std::uint32_t words_of(OperandType type) {
   }
 }
 
-unsigned max_digits(OperandType type) { return is_32_bit(type) ? 8 : 4; }
+unsigned max_digits(OperandType type) {
+  return is_32_bit(type) ? 8 : 4;
+}
 
 class OperandChecker {
 public:

@@ -6,7 +6,8 @@
 
 namespace ladderc::sema {
 
-/// Points of its class that the operand takes: words for a word device, bits for digits, 1 for a bit. Blocks count as their first place.
+/// Points of its class that the operand takes: words for a word device, bits for digits, 1 for a bit. Blocks count as their first
+/// place.
 std::uint32_t extent(const OperandInfo &info, const Operand &operand);
 
 /// Checks the operands that resolve() found good; those that are not in order are marked bad.

@@ -108,14 +108,15 @@ Problem read_range(const Json &json, const FamilyInfo &family, const Parameters 
   if (text.contains('-'))
     if (Problem problem = read_device(last_text, family, parameters, last))
       return problem;
-  if (first.kind != OperandKind::Device || last.kind != OperandKind::Device || last.device != first.device || last.value < first.value)
+  if (first.kind != OperandKind::Device || last.kind != OperandKind::Device || last.device != first.device ||
+      last.value < first.value)
     return fmt::format("'{}' is no range like \"M0-M99\"", text.str());
   range = {first.device, static_cast<std::uint32_t>(first.value), static_cast<std::uint32_t>(last.value)};
   return std::nullopt;
 }
 
-Problem read_value(llvm::StringRef name, const Json &json, const FamilyInfo &family, const Parameters &parameters, InitialValue &value,
-                   DeviceRange &range) {
+Problem read_value(llvm::StringRef name, const Json &json, const FamilyInfo &family, const Parameters &parameters,
+                   InitialValue &value, DeviceRange &range) {
   auto [device_text, suffix] = name.split(':');
   std::string without_letter;
   char letter = take_part_letter(device_text, family, without_letter);

@@ -39,8 +39,12 @@ private:
   Problem retentive_timer_points(const Json &json) { return set_points("ST", json); }
   Problem latched(const Json &json);
   Problem initial_values(const Json &json);
-  Problem low_speed_unit(const Json &json) { return sema::read_milliseconds(json, 1'000, 1'000'000, 1'000, parameters_.low_speed_unit_us); }
-  Problem high_speed_unit(const Json &json) { return sema::read_milliseconds(json, 100, 100'000, 100, parameters_.high_speed_unit_us); }
+  Problem low_speed_unit(const Json &json) {
+    return sema::read_milliseconds(json, 1'000, 1'000'000, 1'000, parameters_.low_speed_unit_us);
+  }
+  Problem high_speed_unit(const Json &json) {
+    return sema::read_milliseconds(json, 100, 100'000, 100, parameters_.high_speed_unit_us);
+  }
   Problem watchdog(const Json &json) { return sema::read_milliseconds(json, 0, 2'000'000, 1'000, parameters_.watchdog_us); }
   Problem constant_scan(const Json &json) { return sema::read_milliseconds(json, 0, 2'000'000, 500, parameters_.constant_scan_us); }
   Problem program_name(const Json &json);

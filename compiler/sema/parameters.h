@@ -20,21 +20,21 @@ struct DeviceRange {
 };
 
 struct InitialValue {
-  std::string device;         ///< as written: "D0", "D10:d"
+  std::string device;  ///< as written: "D0", "D10:d"
   std::int64_t value;
 };
 
 struct Parameters {
-  std::vector<std::uint32_t> points;      ///< per device class: allocation; numbers run from 0 to points - 1
-  std::vector<DeviceRange> latched;       ///< kept over power-off and reset
-  std::vector<InitialValue> latched_values;  ///< contents of latched devices before power-on
-  std::vector<InitialValue> initial_values;  ///< written at power-on and at STOP to RUN
-  std::uint32_t low_speed_unit_us = 100'000; ///< 1-1000 ms in 1 ms
-  std::uint32_t high_speed_unit_us = 10'000; ///< 0.1-100 ms in 0.1 ms
-  std::uint32_t watchdog_us = 0;          ///< scan longer than this: error 5001 and stop; 0: not watched
-  std::uint32_t constant_scan_us = 0;     ///< 0: none
-  std::string program_name = "MAIN";      ///< up to 8 characters, in the error information
-  std::string calendar;                   ///< ISO date and time at power-on; empty: 2000-01-01T00:00:00
+  std::vector<std::uint32_t> points;          ///< per device class: allocation; numbers run from 0 to points - 1
+  std::vector<DeviceRange> latched;           ///< kept over power-off and reset
+  std::vector<InitialValue> latched_values;   ///< contents of latched devices before power-on
+  std::vector<InitialValue> initial_values;   ///< written at power-on and at STOP to RUN
+  std::uint32_t low_speed_unit_us = 100'000;  ///< 1-1000 ms in 1 ms
+  std::uint32_t high_speed_unit_us = 10'000;  ///< 0.1-100 ms in 0.1 ms
+  std::uint32_t watchdog_us = 0;              ///< scan longer than this: error 5001 and stop; 0: not watched
+  std::uint32_t constant_scan_us = 0;         ///< 0: none
+  std::string program_name = "MAIN";          ///< up to 8 characters, in the error information
+  std::string calendar;                       ///< ISO date and time at power-on; empty: 2000-01-01T00:00:00
 };
 
 /// The defaults of a model.

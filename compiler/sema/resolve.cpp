@@ -1,9 +1,9 @@
 // Which entry of the instruction table a list line is.
 //
 // Several entries share a spelling: OUT M0, OUT T0 K10, OUT F1; + S D and + S1 S2 D. First the number of operands decides, then the
-// device classes. Where nothing fits, the message is about the entry that the author most likely meant: one with the right number of
-// operands if it agrees in at least one operand, otherwise one of another length that agrees in more (OUT T0 lacks its set value and is
-// no bad OUT of a bit).
+// device classes. Where nothing fits, the message is about the entry that the author most likely meant: one with the right number
+// of operands, unless only one of another length agrees in the first operand (OUT T0 lacks its set value and is no bad OUT of a
+// bit).
 #include "sema/resolve.h"
 
 #include "sema/names.h"
@@ -16,7 +16,9 @@ namespace ladderc::sema {
 
 namespace {
 
-bool is_constant(const Operand &operand) { return operand.kind == OperandKind::Decimal || operand.kind == OperandKind::Hexadecimal; }
+bool is_constant(const Operand &operand) {
+  return operand.kind == OperandKind::Decimal || operand.kind == OperandKind::Hexadecimal;
+}
 
 bool is_timer_or_counter(const FamilyInfo &family, DeviceId device) {
   return device != kNoDevice &&
@@ -42,19 +44,27 @@ bool fits(const OperandInfo &info, const Operand &operand) {
   return false;
 }
 
-/// How many operands agree with the entry, position by position.
-unsigned agreement(const InstructionInfo &info, llvm::ArrayRef<Operand> operands) {
+/// How well the operands agree with an entry. The first one weighs most: it tells a timer from an output.
+struct Agreement {
+  bool first = false;
   unsigned count = 0;
+
+  bool operator>(const Agreement &other) const { return first != other.first ? first : count > other.count; }
+};
+
+Agreement agreement(const InstructionInfo &info, llvm::ArrayRef<Operand> operands) {
+  Agreement result;
   for (auto [expected, operand] : llvm::zip(info.operands, operands))
-    count += fits(expected, operand);
-  return count;
+    result.count += fits(expected, operand);
+  result.first = !operands.empty() && !info.operands.empty() && fits(info.operands.front(), operands.front());
+  return result;
 }
 
 struct Choice {
   const InstructionInfo *info = nullptr;
-  unsigned agreement = 0;
+  Agreement agreement;
 
-  void offer(const InstructionInfo &candidate, unsigned agrees) {
+  void offer(const InstructionInfo &candidate, Agreement agrees) {
     if (!info || agrees > agreement) {
       info = &candidate;
       agreement = agrees;
@@ -171,7 +181,8 @@ void Resolver::report_class(unsigned position) {
     id = DiagId::TimerCounterBit;
   else if (is_set_value(position))
     id = DiagId::SetValue;
-  else if (plain && writes && expected.type == OperandType::Bit && is_timer_or_counter(context_.family, operand.device))
+  else if (plain && writes && (expected.type == OperandType::Bit || expected.type == OperandType::Annunciator) &&
+           is_timer_or_counter(context_.family, operand.device))
     id = DiagId::TimerCounterOutput;
   else if (plain && contains(allowed.word_bits, operand.device))
     id = DiagId::WordForBit;
@@ -180,7 +191,8 @@ void Resolver::report_class(unsigned position) {
 
   if (id == DiagId::TimerCounterBit)
     allowed = bits_of_words();
-  bool is_word = expected.type == OperandType::Word || expected.type == OperandType::WordTwice || expected.type == OperandType::WordBlock;
+  bool is_word =
+      expected.type == OperandType::Word || expected.type == OperandType::WordTwice || expected.type == OperandType::WordBlock;
   const std::pair<llvm::StringRef, std::string> args[] = {
       {"operand", context_.text(operand.range).str()},
       {"mnemonic", instruction_.info->spelling.str()},
@@ -215,10 +227,12 @@ void choose_entry(const Context &context, InstructionIndex index) {
     Choice &choice = candidate->operands.size() == operands.size() ? same_count : other_count;
     choice.offer(*candidate, agreement(*candidate, operands));
   }
-  bool same_is_closer = same_count.agreement == operands.size() || same_count.agreement > 0 || other_count.agreement == 0;
-  instruction.info = same_count.info && (same_is_closer || !other_count.info) ? same_count.info : other_count.info;
+  bool other_is_meant = !same_count.info || (other_count.agreement.first && !same_count.agreement.first);
+  instruction.info = other_is_meant && other_count.info ? other_count.info : same_count.info;
 }
 
-Resolved match_operands(const Context &context, InstructionIndex index) { return Resolver(context, index).run(); }
+Resolved match_operands(const Context &context, InstructionIndex index) {
+  return Resolver(context, index).run();
+}
 
 }  // namespace ladderc::sema

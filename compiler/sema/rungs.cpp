@@ -2,12 +2,14 @@
 //
 //     LD X0 / MPS / AND X1 / OUT Y0 / MPP / LD X2 / OR X3 / ANB / OUT Y1 / LD X4 / ...
 //
-// An LD opens a block. It begins a new rung where the instruction before is an output, one block is open and no branch; everywhere else
-// its block lies inside the rung and waits for ANB or ORB. Outputs leave the result, so a contact behind an output goes on with it.
+// An LD opens a block. It begins a new rung where the instruction before is an output, one block is open and no branch; everywhere
+// else its block lies inside the rung and waits for ANB or ORB. Outputs leave the result, so a contact behind an output goes on
+// with it.
 //
 // One cause, one error: a rung that has an error is repaired as well as can be and reports no more; the next rung is clean again. A
-// branch that is never taken back would swallow all rungs behind it, hence an LD directly behind an output is taken for the next rung
-// as soon as its block turns out not to be joined. An unknown instruction may have been anything: its rung reports nothing further.
+// branch that is never taken back would swallow all rungs behind it, hence an LD directly behind an output is taken for the next
+// rung as soon as its block turns out not to be joined. An unknown instruction may have been anything: its rung reports nothing
+// further.
 #include "sema/rungs.h"
 
 #include "llvm/ADT/STLExtras.h"
@@ -78,7 +80,7 @@ void Rungs::join(InstructionIndex index) {
     if (blocks_.size() == 1 && after_unknown_)
       failed_ = index;
     else if (auto diagnostic = fail(DiagId::JoinWithoutBlocks, index))
-      diagnostic->arg("mnemonic", context_.instruction(index).info->spelling).arg("count", blocks_.empty() ? "none" : "only one");
+      diagnostic->arg("count", blocks_.empty() ? "none" : "only one");
     if (blocks_.empty())
       blocks_.push_back({index, false});
   }
@@ -144,7 +146,7 @@ void Rungs::between_rungs(InstructionIndex index) {
   if (last_ == Last::Output && branches_.empty())
     page_feed_ = index;
   else if (failed_ == kNoInstruction)
-    context_.report(DiagId::NoplfInRung, index).arg("mnemonic", context_.instruction(index).info->spelling);
+    (void)report(DiagId::NoplfInRung, index);
 }
 
 void Rungs::unknown(InstructionIndex index) {
@@ -175,7 +177,7 @@ void Rungs::continue_rung(InstructionIndex index) {
   if (!open_)
     return begin_rung(index);
   if (page_feed_ != kNoInstruction && failed_ == kNoInstruction)
-    context_.report(DiagId::NoplfInRung, page_feed_).arg("mnemonic", context_.instruction(page_feed_).info->spelling);
+    (void)report(DiagId::NoplfInRung, page_feed_);
   page_feed_ = kNoInstruction;
 }
 
@@ -184,8 +186,7 @@ void Rungs::need_block(InstructionIndex index, DiagId id) {
   continue_rung(index);
   if (!blocks_.empty())
     return;
-  if (auto diagnostic = fail(id, index))
-    diagnostic->arg("mnemonic", context_.instruction(index).info->spelling);
+  (void)fail(id, index);
   blocks_.push_back({index, false});
 }
 
@@ -200,19 +201,16 @@ void Rungs::leave_result(InstructionIndex index) {
 void Rungs::end_rung(InstructionIndex before) {
   if (!open_)
     return;
-  split_behind_open_branch(before == kNoInstruction ? static_cast<InstructionIndex>(context_.list.instructions.size() - 1) : before);
+  split_behind_open_branch(before == kNoInstruction ? static_cast<InstructionIndex>(context_.list.instructions.size() - 1)
+                                                    : before);
   bool ends_with_contact = last_ == Last::Contact;
   bool ends_program = before == kNoInstruction || context_.instruction(before).info->placement == Placement::End;
   if (ends_with_contact && !ends_program) {
-    if (auto diagnostic = fail(DiagId::McrAfterContact, before))
-      diagnostic->arg("mnemonic", context_.instruction(before).info->spelling);
+    (void)fail(DiagId::McrAfterContact, before);
   } else if (!branches_.empty()) {
-    InstructionIndex mps = branches_.front().opened_by;
-    if (auto diagnostic = fail(DiagId::MpsWithoutMpp, mps))
-      diagnostic->arg("mnemonic", context_.instruction(mps).info->spelling);
+    (void)fail(DiagId::MpsWithoutMpp, branches_.front().opened_by);
   } else if (ends_with_contact) {
-    if (auto diagnostic = fail(DiagId::RungWithoutOutput, unused_))
-      diagnostic->arg("mnemonic", context_.instruction(unused_).info->spelling);
+    (void)fail(DiagId::RungWithoutOutput, unused_);
   }
   open_ = false;
   blocks_.clear();
@@ -221,7 +219,9 @@ void Rungs::end_rung(InstructionIndex before) {
   page_feed_ = kNoInstruction;
 }
 
-void Rungs::finish() { end_rung(kNoInstruction); }
+void Rungs::finish() {
+  end_rung(kNoInstruction);
+}
 
 // ---------------------------------------------------------------------------------------------- errors
 
@@ -230,13 +230,19 @@ std::optional<DiagBuilder> Rungs::fail(DiagId id, InstructionIndex index) {
   if (failed_ != kNoInstruction)
     return std::nullopt;
   failed_ = index;
-  return context_.report(id, index);
+  return report(id, index);
+}
+
+DiagBuilder Rungs::report(DiagId id, InstructionIndex index) const {
+  const InstructionInfo *info = context_.instruction(index).info;
+  DiagBuilder builder = context_.report(id, index);
+  builder.arg("mnemonic", info ? info->spelling : context_.text(context_.instruction(index).range));
+  return builder;
 }
 
 void Rungs::report_open_block(InstructionIndex block, InstructionIndex user) {
   if (auto diagnostic = fail(DiagId::BlockNotJoined, block)) {
-    diagnostic->arg("mnemonic", context_.instruction(block).info ? context_.instruction(block).info->spelling : "")
-        .arg("user", context_.instruction(user).info->spelling);
+    diagnostic->arg("user", context_.instruction(user).info->spelling);
     if (blocks_.front().opened_by != block)
       diagnostic->note(DiagId::OuterBlock, context_.instruction(blocks_.front().opened_by).range);
   }
@@ -249,12 +255,9 @@ void Rungs::split_behind_open_branch(InstructionIndex index) {
   if (block == blocks_.end())
     return;
   InstructionIndex first = block->opened_by;
-  InstructionIndex mps = branches_.front().opened_by;
   bool failed_behind = failed_ != kNoInstruction && failed_ >= first;
   if (failed_ == kNoInstruction || failed_behind)
-    context_.report(DiagId::MpsWithoutMpp, mps)
-        .arg("mnemonic", context_.instruction(mps).info->spelling)
-        .note(DiagId::LostMps, context_.instruction(first).range);
+    report(DiagId::MpsWithoutMpp, branches_.front().opened_by).note(DiagId::NextRung, context_.instruction(first).range);
   if (!failed_behind)
     failed_ = kNoInstruction;
 

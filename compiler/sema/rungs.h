@@ -7,7 +7,8 @@
 
 namespace ladderc::sema {
 
-/// Walks the list once with the block stack and the branch stack of the controller, numbers the rungs and reports what does not pair.
+/// Walks the list once with the block stack and the branch stack of the controller, numbers the rungs and reports what does not
+/// pair.
 class Rungs {
 public:
   explicit Rungs(const Context &context) : context_(context) {}
@@ -48,18 +49,19 @@ private:
   void report_open_block(InstructionIndex block, InstructionIndex user);
   void split_behind_open_branch(InstructionIndex index);
   std::optional<DiagBuilder> fail(DiagId id, InstructionIndex index);
+  DiagBuilder report(DiagId id, InstructionIndex index) const;
 
   const Context &context_;
   std::uint32_t rung_ = 0;
-  bool open_ = false;               ///< a rung has begun and is not closed by MCR or END
+  bool open_ = false;  ///< a rung has begun and is not closed by MCR or END
   llvm::SmallVector<Block, 16> blocks_;
   llvm::SmallVector<Branch, 16> branches_;
   Last last_ = Last::Nothing;
-  InstructionIndex unused_ = kNoInstruction;      ///< first instruction whose result no output has used yet
-  InstructionIndex failed_ = kNoInstruction;      ///< the rung has an error here, and its further ones are consequences
-  InstructionIndex last_pop_ = kNoInstruction;    ///< MPP of this rung
-  InstructionIndex page_feed_ = kNoInstruction;   ///< NOPLF behind an output: between rungs if a rung follows
-  bool after_unknown_ = false;      ///< the rung began behind an unknown instruction, perhaps wrongly
+  InstructionIndex unused_ = kNoInstruction;     ///< first instruction whose result no output has used yet
+  InstructionIndex failed_ = kNoInstruction;     ///< the rung has an error here, and its further ones are consequences
+  InstructionIndex last_pop_ = kNoInstruction;   ///< MPP of this rung
+  InstructionIndex page_feed_ = kNoInstruction;  ///< NOPLF behind an output: between rungs if a rung follows
+  bool after_unknown_ = false;                   ///< the rung began behind an unknown instruction, perhaps wrongly
 };
 
 }  // namespace ladderc::sema

@@ -1,8 +1,8 @@
-// Program steps: the basic count of the table, more for constants of 32-bit instructions, less where all operands qualify for subset
-// processing.
+// Program steps: the basic count of the table, more for constants of 32-bit instructions, less where all operands qualify for
+// subset processing.
 //
-// An operand qualifies when it is a constant, an internal word (the current values of timers and counters are among them), or a whole
-// word or double word of bits that starts at a multiple of 16.
+// An operand qualifies when it is a constant, an internal word (the current values of timers and counters are among them), or a
+// whole word or double word of bits that starts at a multiple of 16.
 #include "sema/steps.h"
 
 #include "llvm/ADT/STLExtras.h"
@@ -11,7 +11,9 @@ namespace ladderc::sema {
 
 namespace {
 
-bool is_constant(const Operand &operand) { return operand.kind == OperandKind::Decimal || operand.kind == OperandKind::Hexadecimal; }
+bool is_constant(const Operand &operand) {
+  return operand.kind == OperandKind::Decimal || operand.kind == OperandKind::Hexadecimal;
+}
 
 bool qualifies(const FamilyInfo &family, const OperandInfo &info, const Operand &operand) {
   switch (operand.kind) {
@@ -20,7 +22,8 @@ bool qualifies(const FamilyInfo &family, const OperandInfo &info, const Operand 
     return kind == DeviceKind::Word || kind == DeviceKind::Timer || kind == DeviceKind::Counter;
   }
   case OperandKind::Digits:
-    return operand.value % 16 == 0 && operand.digits == (info.type == OperandType::Word || info.type == OperandType::WordBlock ? 4 : 8);
+    return operand.value % 16 == 0 &&
+           operand.digits == (info.type == OperandType::Word || info.type == OperandType::WordBlock ? 4 : 8);
   case OperandKind::Decimal:
   case OperandKind::Hexadecimal:
     return true;

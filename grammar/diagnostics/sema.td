@@ -289,5 +289,5 @@ def EarlierInstruction : Note<"earlier-instruction", "the earlier {mnemonic} {de
 def OuterBlock : Note<"outer-block", "the block that it would be joined to begins here">;
 def OuterRegion : Note<"outer-region", "the region of {outer} begins here">;
 def TakenBack : Note<"taken-back", "this {mnemonic} has already taken the last result back">;
-def LostMps : Note<"lost-mps", "the rung behind it begins here">;
+def NextRung : Note<"next-rung", "the next rung begins here">;
 def OpenBranchSince : Note<"open-branch-since", "the first MPS that is still open">;

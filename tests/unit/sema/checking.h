@@ -1,0 +1,40 @@
+// Compiles a list as far as sema and shows its messages in one line each.
+#pragma once
+
+#include "sema/check.h"
+
+#include "gmock/gmock.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace ladderc::test {
+
+/// A checked list with everything that it refers to.
+struct Checked {
+  SourceSet sources;
+  std::unique_ptr<Diagnostics> diagnostics;
+  CheckedProgram program;
+
+  /// "line:column id", in source order.
+  std::vector<std::string> messages() const;
+  /// The texts, in source order.
+  std::vector<std::string> texts() const;
+};
+
+/// `parameters` is JSON; the family is melsec-qs.
+std::unique_ptr<Checked> check_text(std::string list, llvm::StringRef parameters = "{}");
+
+/// The messages of the lines followed by END.
+std::vector<std::string> messages_of(std::string lines, llvm::StringRef parameters = "{}");
+
+inline auto no_messages() {
+  return testing::IsEmpty();
+}
+/// Exactly these, in order.
+template <class... T> auto are(T... expected) {
+  return testing::ElementsAre(std::string(expected)...);
+}
+
+}  // namespace ladderc::test
