@@ -39,6 +39,7 @@ class Special<string d, string n, string b, bit w, bit s, string sec> {
   string behaviour = b;
   bit writable = w;
   bit simulated = s;
+  int constant = -1;        // 0 or 1: a relay that the system holds at that state in every scan
   string section = sec;
 }
 

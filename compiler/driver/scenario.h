@@ -31,7 +31,7 @@ struct Scenario {
   std::string parameters; ///< JSON object
   double clock_ms = 10;
   std::string calendar;
-  nlohmann::json steps;
+  nlohmann::ordered_json steps;
   std::vector<ExpectedDiagnostic> diagnostics;
   bool optional = false;
 };

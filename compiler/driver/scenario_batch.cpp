@@ -172,6 +172,14 @@ std::vector<std::string> writers_of(const Compilation &c, llvm::StringRef device
   return lines;
 }
 
+/// A value as the runner gives it: a number, or a pattern as text.
+std::string text_of(const json &failure, const char *key) {
+  const auto found = failure.find(key);
+  if (found == failure.end())
+    return "?";
+  return found->is_string() ? found->get<std::string>() : found->dump();
+}
+
 void read_results(const json &results, const std::vector<Candidate> &candidates, const std::vector<Scenario> &scenarios,
                   std::vector<ScenarioResult> &out) {
   for (std::size_t i = 0; i < candidates.size(); ++i) {
@@ -186,9 +194,9 @@ void read_results(const json &results, const std::vector<Candidate> &candidates,
     for (const json &f : r.value("failures", json::array())) {
       const std::size_t step = f.value("step", std::size_t{0});
       const std::string device = f.value("device", "");
-      result.fail(fmt::format("step {}, scan {}: {} is {}, expected {}", step + 1, f.value("scan", 0), device, f.value("got", ""),
-                              f.value("expected", "")));
-      const json &steps = scenarios[candidates[i].scenario].steps;
+      result.fail(fmt::format("step {}, scan {}: {} is {}, expected {}", step + 1, f.value("scan", 0), device, text_of(f, "got"),
+                              text_of(f, "expected")));
+      const nlohmann::ordered_json &steps = scenarios[candidates[i].scenario].steps;
       if (step < steps.size() && steps[step].contains("why"))
         result.messages.push_back("  why: " + steps[step]["why"].get<std::string>());
       for (std::string &line : writers_of(*candidates[i].compilation, device))
@@ -199,11 +207,11 @@ void read_results(const json &results, const std::vector<Candidate> &candidates,
   }
 }
 
-json steps_file(const std::vector<Candidate> &candidates, const std::vector<Scenario> &scenarios) {
-  json all = json::array();
+nlohmann::ordered_json steps_file(const std::vector<Candidate> &candidates, const std::vector<Scenario> &scenarios) {
+  nlohmann::ordered_json all = nlohmann::ordered_json::array();
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     const Scenario &s = scenarios[candidates[i].scenario];
-    json entry = {{"program", i}, {"name", s.name}, {"clock_ms", s.clock_ms}, {"steps", s.steps}};
+    nlohmann::ordered_json entry = {{"program", i}, {"name", s.name}, {"clock_ms", s.clock_ms}, {"steps", s.steps}};
     if (!s.calendar.empty())
       entry["calendar"] = s.calendar;
     all.push_back(std::move(entry));

@@ -13,7 +13,7 @@ namespace ladderc::driver {
 
 namespace {
 
-using nlohmann::json;
+using json = nlohmann::ordered_json;  // devices are set in the order written
 
 /// What can be said in a scenario. Anything else is a misspelling or belongs to something that is not there yet.
 constexpr llvm::StringLiteral kKeys[] = {"name",         "family",       "model", "source", "basis",    "program", "list",

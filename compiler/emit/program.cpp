@@ -175,9 +175,9 @@ void write_frame_functions(const Frame &frame, Writer &out) {
     if (frame.program.parameters.initial_values.empty()) {
       out.line("sys.set_mode(mode);");
     } else {
-      out.line("const bool starts = mode == Mode::Run && !sys.running();");
+      out.line("const bool was_running = sys.running();");
       out.line("sys.set_mode(mode);");
-      out.line("if (!starts) return;");
+      out.line("if (was_running || !sys.running()) return;");
       write_initial_values(frame, out);
     }
   }

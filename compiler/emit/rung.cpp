@@ -89,9 +89,8 @@ void RungEmitter::emit_call(const Operation &o) {
       arguments += (arguments.empty() ? "" : ", ") + object_text(context_, p);
     for (const ir::Place &p : o.inputs)
       arguments += (arguments.empty() ? "" : ", ") + input_text(context_, p);
-    if (info.stops_scan)
-      return out_.statement(fmt::format("return sys.{}({}, {});", info.function.str(), arguments, o.step));
-    return out_.statement(fmt::format("sys.{}({});", info.function.str(), arguments));
+    // The step goes into the error information.
+    return out_.statement(fmt::format("{}sys.{}({}, {});", info.stops_scan ? "return " : "", info.function.str(), arguments, o.step));
   }
   default:
     return out_.statement(call_text(context_, o) + ";");
@@ -107,7 +106,7 @@ void RungEmitter::emit_run(const RungPlan &plan, const Operation &o) {
   const std::string object = object_text(context_, o.outputs.front());
   if (info.style == CallStyle::Method)
     return out_.statement(fmt::format("{}.{}({}{}, sys);", object, info.function.str(), on, inputs));
-  return out_.statement(fmt::format("sys.{}({}, {}{});", info.function.str(), object, on, inputs));
+  return out_.statement(fmt::format("sys.{}({}, {}{}, {});", info.function.str(), object, on, inputs, o.step));
 }
 
 Expression RungEmitter::expression(const RungPlan &plan, ir::ValueId v) {

@@ -158,6 +158,8 @@ bool OperandChecker::check_constant(const OperandInfo &info, const Operand &oper
 
 /// Pairs, quads and digit runs over the end of their class.
 bool OperandChecker::check_end(const OperandInfo &info, const Operand &operand) {
+  if (info.type == OperandType::WordBlock)
+    return true;  // never crosses: check_blocks
   std::uint32_t count = extent(info, operand);
   std::uint32_t number = static_cast<std::uint32_t>(operand.value);
   if (!crosses_end(context_.family, context_.parameters, operand.device, number, count))

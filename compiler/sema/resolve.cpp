@@ -103,11 +103,11 @@ Resolved Resolver::run() {
   }
   Resolved result{true, true, check_index_registers()};
   for (unsigned k = 0; k < operands_.size(); ++k) {
-    if (!fits(instruction_.info->operands[k], operands_[k]))
+    bool fitting = fits(instruction_.info->operands[k], operands_[k]);
+    if (!fitting && result.good(k))
       report_class(k);
-    else if (operands_[k].kind != OperandKind::Invalid)
-      continue;
-    result.bad |= std::uint64_t(1) << k;
+    if (!fitting || operands_[k].kind == OperandKind::Invalid)
+      result.bad |= std::uint64_t(1) << k;
   }
   return result;
 }

@@ -128,11 +128,11 @@ private:
   llvm::SmallVector<Word, 8> words_;
 };
 
-} // namespace
+}  // namespace
 
 void read_csv(const SourceBuffer &buffer, unsigned file, llvm::StringSaver &saver, Diagnostics &diagnostics,
               llvm::function_ref<void(const ListLine &)> on_line) {
   CsvReader(buffer, file, saver, diagnostics, on_line).read();
 }
 
-} // namespace ladderc
+}  // namespace ladderc

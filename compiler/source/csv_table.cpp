@@ -13,9 +13,12 @@ namespace {
 constexpr std::size_t kColumns = 16;
 constexpr std::size_t kProgramColumns = 7;
 
-bool is_line_end(char c) { return c == '\n' || c == '\r'; }
+bool is_line_end(char c) {
+  return c == '\n' || c == '\r';
+}
 
-/// The quote that closes a cell stands before a delimiter or the line end; one elsewhere is a quote that a spreadsheet lost or kept.
+/// The quote that closes a cell stands before a delimiter or the line end; one elsewhere is a quote that a spreadsheet lost or
+/// kept.
 bool closes(llvm::StringRef behind, char delimiter) {
   behind = behind.ltrim(" ");
   return behind.empty() || behind.front() == delimiter || is_line_end(behind.front());
@@ -42,9 +45,13 @@ std::size_t quoted_cell(llvm::StringRef text, std::size_t at, char delimiter, Ce
   return at;
 }
 
-bool is_number(llvm::StringRef text) { return !text.empty() && llvm::all_of(text, llvm::isDigit); }
+bool is_number(llvm::StringRef text) {
+  return !text.empty() && llvm::all_of(text, llvm::isDigit);
+}
 
-bool filled(const Row &row, std::size_t column) { return column < row.size() && !row[column].text.empty(); }
+bool filled(const Row &row, std::size_t column) {
+  return column < row.size() && !row[column].text.empty();
+}
 
 /// A row of column names: the first four are filled, which no data row has, and the first is no step number.
 bool is_head(const Row &row) {
@@ -52,7 +59,9 @@ bool is_head(const Row &row) {
 }
 
 /// Statement and instruction never share a row in the files that have a statement column; what follows has its own.
-bool is_data(const Row &row) { return !filled(row, 0) || is_number(row[0].text); }
+bool is_data(const Row &row) {
+  return !filled(row, 0) || is_number(row[0].text);
+}
 
 bool is_blank(const Row &row) {
   return llvm::all_of(row, [](const Cell &cell) { return cell.text.empty(); });
@@ -106,7 +115,7 @@ bool is_bare_table(const Sample &sample, char delimiter) {
   return wide;
 }
 
-} // namespace
+}  // namespace
 
 std::size_t split_row(llvm::StringRef text, char delimiter, Row &row) {
   row.clear();
@@ -147,4 +156,4 @@ std::optional<CsvShape> csv_shape(llvm::StringRef text) {
   return std::nullopt;
 }
 
-} // namespace ladderc
+}  // namespace ladderc

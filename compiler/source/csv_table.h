@@ -18,8 +18,8 @@ struct Cell {
 
 using Row = llvm::SmallVector<Cell, 12>;
 
-/// Splits the row that begins at `text` and returns its length with the line end. Cells beyond the columns of a program table are left
-/// out.
+/// Splits the row that begins at `text` and returns its length with the line end. Cells beyond the columns of a program table are
+/// left out.
 std::size_t split_row(llvm::StringRef text, char delimiter, Row &row);
 
 struct CsvShape {
@@ -30,4 +30,4 @@ struct CsvShape {
 /// What kind of program table the text is, or nothing.
 std::optional<CsvShape> csv_shape(llvm::StringRef text);
 
-} // namespace ladderc
+}  // namespace ladderc

@@ -253,7 +253,7 @@ Decoded decode_as(llvm::StringRef bytes, llvm::StringRef encoding) {
   return from_utf8(bytes);
 }
 
-} // namespace
+}  // namespace
 
 bool is_known_encoding(llvm::StringRef encoding) {
   if (encoding == "auto")
@@ -287,4 +287,4 @@ Decoded decode(llvm::StringRef bytes, llvm::StringRef encoding) {
   return from_unknown_code_page(bytes);
 }
 
-} // namespace ladderc
+}  // namespace ladderc

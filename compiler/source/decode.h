@@ -13,9 +13,9 @@ struct Decoded {
   bool damaged = false;  ///< some bytes had no meaning and became U+FFFD
 };
 
-/// Decodes by byte order mark, then by structure (zero bytes: UTF-16), then as UTF-8, else as Shift-JIS where that gives kana and as
-/// GB18030 otherwise. `encoding` ("auto" or an iconv name) overrides; a name that is not known reads as UTF-8, so ask first. Any bytes
-/// give some text.
+/// Decodes by byte order mark, then by structure (zero bytes: UTF-16), then as UTF-8, else as Shift-JIS where that gives kana and
+/// as GB18030 otherwise. `encoding` ("auto" or an iconv name) overrides; a name that is not known reads as UTF-8, so ask first. Any
+/// bytes give some text.
 Decoded decode(llvm::StringRef bytes, llvm::StringRef encoding = "auto");
 
 /// True for "auto" and every name that this machine can decode.

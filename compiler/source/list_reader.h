@@ -1,7 +1,7 @@
 // From a text to the words of list lines.
 //
-// One reader per list format; all hand out the same thing: lines of words with their places in the text, so that the parser does not
-// know whether an instruction came from a plain list, a numbered list or a spreadsheet. Formats are recognised by structure.
+// One reader per list format; all hand out the same thing: lines of words with their places in the text, so that the parser does
+// not know whether an instruction came from a plain list, a numbered list or a spreadsheet. Formats are recognised by structure.
 #pragma once
 
 #include "source/decode.h"
@@ -17,8 +17,8 @@ namespace ladderc {
 
 enum class ListFormat : std::uint8_t {
   Auto,
-  Plain,       ///< one or more instructions a line, step numbers optional
-  GxCsv,       ///< GX Works2 / GX Developer program export, tab or comma
+  Plain,  ///< one or more instructions a line, step numbers optional
+  GxCsv,  ///< GX Works2 / GX Developer program export, tab or comma
 };
 
 /// One word of a list line. `text` is in the form that the parser compares: half-width, upper case outside of string constants,
@@ -30,12 +30,13 @@ struct Word {
 
 /// What one line (plain list) or one row (CSV) says.
 struct ListLine {
-  llvm::ArrayRef<Word> words;     ///< without the step number
-  SourceRange comment;            ///< text without mark and outer blanks; length 0: none
-  SourceRange statement;          ///< CSV line statement; length 0: none
-  SourceRange note;               ///< CSV note or P/I statement; length 0: none. Quotes in CSV texts stay doubled, as in the file
-  bool starts_instruction = false;///< CSV: the instruction cell is filled, so the first word must be a mnemonic. Plain: unknown, false
-  bool continues = false;         ///< CSV: the instruction cell is empty, so all words are operands of the instruction before
+  llvm::ArrayRef<Word> words;  ///< without the step number
+  SourceRange comment;         ///< text without mark and outer blanks; length 0: none
+  SourceRange statement;       ///< CSV line statement; length 0: none
+  SourceRange note;            ///< CSV note or P/I statement; length 0: none. Quotes in CSV texts stay doubled, as in the file
+  bool starts_instruction =
+      false;               ///< CSV: the instruction cell is filled, so the first word must be a mnemonic. Plain: unknown, false
+  bool continues = false;  ///< CSV: the instruction cell is empty, so all words are operands of the instruction before
 };
 
 /// Recognises the format of a text; never Auto.

@@ -1,4 +1,5 @@
-// A plain list is read in one pass: words are pieces of the buffer, and only a word that is not written in upper-case ASCII is copied.
+// A plain list is read in one pass: words are pieces of the buffer, and only a word that is not written in upper-case ASCII is
+// copied.
 //
 //   line    = [ step [":"] ] { word } [ comment ] line-end
 //   step    = decimal digits, first on the line
@@ -116,11 +117,11 @@ private:
   bool step_seen_ = false;  ///< on this line
 };
 
-} // namespace
+}  // namespace
 
 void read_plain(const SourceBuffer &buffer, unsigned file, llvm::StringSaver &saver, Diagnostics &diagnostics,
                 llvm::function_ref<void(const ListLine &)> on_line) {
   PlainReader(buffer, file, saver, diagnostics, on_line).read();
 }
 
-} // namespace ladderc
+}  // namespace ladderc

@@ -8,4 +8,4 @@ namespace ladderc {
 void read_plain(const SourceBuffer &buffer, unsigned file, llvm::StringSaver &saver, Diagnostics &diagnostics,
                 llvm::function_ref<void(const ListLine &)> on_line);
 
-} // namespace ladderc
+}  // namespace ladderc

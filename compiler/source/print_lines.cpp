@@ -27,4 +27,4 @@ void print_lines(const SourceBuffer &buffer, unsigned file, ListFormat format, D
   });
 }
 
-} // namespace ladderc
+}  // namespace ladderc

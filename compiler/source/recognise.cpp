@@ -8,7 +8,9 @@
 
 namespace ladderc {
 
-ListFormat recognise_format(llvm::StringRef text) { return csv_shape(text) ? ListFormat::GxCsv : ListFormat::Plain; }
+ListFormat recognise_format(llvm::StringRef text) {
+  return csv_shape(text) ? ListFormat::GxCsv : ListFormat::Plain;
+}
 
 void read_list(const SourceBuffer &buffer, unsigned file, ListFormat format, llvm::StringSaver &saver, Diagnostics &diagnostics,
                llvm::function_ref<void(const ListLine &)> on_line) {
@@ -24,4 +26,4 @@ void read_list(const SourceBuffer &buffer, unsigned file, ListFormat format, llv
     read_plain(buffer, file, saver, diagnostics, on_line);
 }
 
-} // namespace ladderc
+}  // namespace ladderc

@@ -49,4 +49,4 @@ inline void append_utf8(std::uint32_t c, std::string &out) {
   }
 }
 
-} // namespace ladderc
+}  // namespace ladderc

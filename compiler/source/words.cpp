@@ -25,11 +25,17 @@ constexpr std::array<Byte, 256> kBytes = [] {
   return table;
 }();
 
-Byte kind(char c) { return kBytes[static_cast<unsigned char>(c)]; }
+Byte kind(char c) {
+  return kBytes[static_cast<unsigned char>(c)];
+}
 
-CodePoint character(const char *at, const char *end) { return code_point(llvm::StringRef(at, static_cast<std::size_t>(end - at))); }
+CodePoint character(const char *at, const char *end) {
+  return code_point(llvm::StringRef(at, static_cast<std::size_t>(end - at)));
+}
 
-bool is_wide_blank(std::uint32_t c) { return c == 0x3000 || c == 0xA0 || c == 0xFEFF; }
+bool is_wide_blank(std::uint32_t c) {
+  return c == 0x3000 || c == 0xA0 || c == 0xFEFF;
+}
 
 constexpr std::uint32_t kWideSemicolon = 0xFF1B;
 constexpr std::uint32_t kWideSlash = 0xFF0F;
@@ -76,7 +82,7 @@ llvm::StringRef sign(std::uint32_t c) {
   }
 }
 
-} // namespace
+}  // namespace
 
 const char *skip_blanks(const char *at, const char *end) {
   while (at != end) {
@@ -203,4 +209,4 @@ void Allowances::enter(std::uint32_t offset, bool continues) {
     diagnostics_.allow(file_, line, id);
 }
 
-} // namespace ladderc
+}  // namespace ladderc

@@ -58,4 +58,4 @@ private:
   llvm::SmallVector<llvm::StringRef, 4> current_;
 };
 
-} // namespace ladderc
+}  // namespace ladderc

@@ -8,9 +8,13 @@
 
 namespace ladderc {
 
-const DiagInfo &info(DiagId id) { return kDiagnostics[static_cast<std::size_t>(id)]; }
+const DiagInfo &info(DiagId id) {
+  return kDiagnostics[static_cast<std::size_t>(id)];
+}
 
-llvm::ArrayRef<DiagInfo> all_diagnostics() { return kDiagnostics; }
+llvm::ArrayRef<DiagInfo> all_diagnostics() {
+  return kDiagnostics;
+}
 
 const DiagInfo *find_diagnostic(llvm::StringRef id) {
   for (const DiagInfo &candidate : kDiagnostics)
@@ -48,9 +52,11 @@ Diagnostic start(DiagId id, SourceRange range) {
   return diagnostic;
 }
 
-std::uint64_t line_key(unsigned file, unsigned line) { return static_cast<std::uint64_t>(file) << 32 | line; }
+std::uint64_t line_key(unsigned file, unsigned line) {
+  return static_cast<std::uint64_t>(file) << 32 | line;
+}
 
-} // namespace
+}  // namespace
 
 DiagBuilder::~DiagBuilder() {
   if (owner_)
@@ -80,7 +86,9 @@ DiagBuilder &DiagBuilder::note(DiagId id, SourceRange range) {
   return *this;
 }
 
-DiagBuilder Diagnostics::report(DiagId id, SourceRange range) { return DiagBuilder(*this, start(id, range)); }
+DiagBuilder Diagnostics::report(DiagId id, SourceRange range) {
+  return DiagBuilder(*this, start(id, range));
+}
 
 void Diagnostics::allow(unsigned file, unsigned line, llvm::StringRef id) {
   // Kept sorted; readers go through a file from top to bottom, so this appends.
@@ -116,4 +124,4 @@ llvm::ArrayRef<Diagnostic> Diagnostics::sorted() {
   return diagnostics_;
 }
 
-} // namespace ladderc
+}  // namespace ladderc

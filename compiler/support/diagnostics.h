@@ -29,12 +29,12 @@ struct DiagReference {
 };
 
 struct DiagInfo {
-  llvm::StringRef id;        ///< kebab-case, public
+  llvm::StringRef id;  ///< kebab-case, public
   Severity severity;
-  llvm::StringRef message;   ///< with {name} arguments
+  llvm::StringRef message;  ///< with {name} arguments
   llvm::StringRef explanation;
-  llvm::StringRef wrong;     ///< a list that gets this message
-  llvm::StringRef right;     ///< the list put right
+  llvm::StringRef wrong;  ///< a list that gets this message
+  llvm::StringRef right;  ///< the list put right
   llvm::ArrayRef<DiagReference> references;
 };
 
@@ -74,7 +74,8 @@ class Diagnostics;
 class DiagBuilder {
 public:
   DiagBuilder(Diagnostics &owner, Diagnostic diagnostic) : owner_(&owner), diagnostic_(std::move(diagnostic)) {}
-  DiagBuilder(DiagBuilder &&other) noexcept : owner_(std::exchange(other.owner_, nullptr)), diagnostic_(std::move(other.diagnostic_)) {}
+  DiagBuilder(DiagBuilder &&other) noexcept
+      : owner_(std::exchange(other.owner_, nullptr)), diagnostic_(std::move(other.diagnostic_)) {}
   ~DiagBuilder();
 
   DiagBuilder &arg(llvm::StringRef name, llvm::StringRef value);
@@ -89,10 +90,10 @@ private:
 };
 
 struct DiagOptions {
-  llvm::StringSet<> silenced;         ///< -Wno-ID
-  llvm::StringSet<> as_errors;        ///< -Werror=ID
+  llvm::StringSet<> silenced;   ///< -Wno-ID
+  llvm::StringSet<> as_errors;  ///< -Werror=ID
   bool all_warnings_are_errors = false;
-  unsigned max_errors = 20;           ///< printed; all are counted. 0: no limit
+  unsigned max_errors = 20;  ///< printed; all are counted. 0: no limit
 };
 
 class Diagnostics {

@@ -75,7 +75,7 @@ Json object(const Diagnostic &diagnostic, const SourceSet &sources, llvm::String
   return json;
 }
 
-} // namespace
+}  // namespace
 
 void print_json(Diagnostics &diagnostics, llvm::StringRef family, llvm::raw_ostream &out) {
   const unsigned limit = diagnostics.options().max_errors;
@@ -88,4 +88,4 @@ void print_json(Diagnostics &diagnostics, llvm::StringRef family, llvm::raw_ostr
   }
 }
 
-} // namespace ladderc
+}  // namespace ladderc

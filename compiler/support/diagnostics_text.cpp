@@ -119,7 +119,9 @@ void print_source_line(const SourceSet &sources, SourceRange range, llvm::raw_os
 }
 
 /// "melsec-qs" is cited as "QS": manuals are known by the controller's name, not by its maker's.
-std::string manual_name(llvm::StringRef family) { return family.rsplit('-').second.empty() ? family.upper() : family.rsplit('-').second.upper(); }
+std::string manual_name(llvm::StringRef family) {
+  return family.rsplit('-').second.empty() ? family.upper() : family.rsplit('-').second.upper();
+}
 
 void print_manual(const DiagInfo &record, llvm::StringRef family, llvm::raw_ostream &out) {
   for (const DiagReference &reference : record.references) {
@@ -163,7 +165,7 @@ void print_count(unsigned count, llvm::StringRef what, llvm::raw_ostream &out) {
   out << count << ' ' << what << (count == 1 ? "" : "s");
 }
 
-} // namespace
+}  // namespace
 
 void print_text(Diagnostics &diagnostics, llvm::StringRef family, llvm::raw_ostream &out) {
   const unsigned limit = diagnostics.options().max_errors;
@@ -192,4 +194,4 @@ void print_text(Diagnostics &diagnostics, llvm::StringRef family, llvm::raw_ostr
     out << '\n';
 }
 
-} // namespace ladderc
+}  // namespace ladderc

@@ -20,7 +20,7 @@ llvm::StringRef kind(Severity severity) {
   return severity == Severity::Error ? "error" : severity == Severity::Warning ? "warning" : "note";
 }
 
-} // namespace
+}  // namespace
 
 void print_explanation(const DiagInfo &diagnostic, llvm::raw_ostream &out) {
   out << diagnostic.id << " (" << kind(diagnostic.severity) << ")\n\n    " << diagnostic.message << '\n';
@@ -40,4 +40,4 @@ void print_explanation(const DiagInfo &diagnostic, llvm::raw_ostream &out) {
     out << "\nTo silence it: -Wno-" << diagnostic.id << ", or `; ladderc: allow " << diagnostic.id << "` on the line above.\n";
 }
 
-} // namespace ladderc
+}  // namespace ladderc

@@ -37,7 +37,7 @@ std::vector<std::uint32_t> find_lines(llvm::StringRef text) {
   return starts;
 }
 
-} // namespace
+}  // namespace
 
 SourceBuffer::SourceBuffer(std::string name, std::string utf8)
     : name_(std::move(name)), text_(std::move(utf8)), line_starts_(find_lines(text_)) {}
@@ -69,4 +69,4 @@ unsigned SourceSet::add(std::string name, std::string utf8) {
   return static_cast<unsigned>(buffers_.size() - 1);
 }
 
-} // namespace ladderc
+}  // namespace ladderc

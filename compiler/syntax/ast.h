@@ -20,22 +20,22 @@ constexpr DeviceId kForeignIndex = 0xFE;
 constexpr unsigned kMaxOperands = 32;
 
 enum class OperandKind : std::uint8_t {
-  Device,     ///< X1F, D100, T0, N1, P10
-  BitOfWord,  ///< D0.5: device D, number 0, bit 5
-  Digits,     ///< K4X10: four digits from X10
-  Decimal,    ///< K100
-  Hexadecimal,///< H1F
-  Invalid,    ///< could not be read; a message has been reported
+  Device,       ///< X1F, D100, T0, N1, P10
+  BitOfWord,    ///< D0.5: device D, number 0, bit 5
+  Digits,       ///< K4X10: four digits from X10
+  Decimal,      ///< K100
+  Hexadecimal,  ///< H1F
+  Invalid,      ///< could not be read; a message has been reported
 };
 
 struct Operand {
   OperandKind kind = OperandKind::Invalid;
   DeviceId device = kNoDevice;
-  std::uint8_t digits = 0;    ///< 1-8 where kind is Digits (as written: 0 and 9 are kept for sema to refuse)
-  std::uint8_t bit = 0;       ///< 0-15 where kind is BitOfWord
-  DeviceId index = kNoDevice; ///< index register class where the operand is index modified (`D0Z1`), or kForeignIndex
+  std::uint8_t digits = 0;     ///< 1-8 where kind is Digits (as written: 0 and 9 are kept for sema to refuse)
+  std::uint8_t bit = 0;        ///< 0-15 where kind is BitOfWord
+  DeviceId index = kNoDevice;  ///< index register class where the operand is index modified (`D0Z1`), or kForeignIndex
   std::uint8_t index_number = 0;
-  std::int64_t value = 0;     ///< device number, or the constant: K as written, H as an unsigned number
+  std::int64_t value = 0;  ///< device number, or the constant: K as written, H as an unsigned number
   SourceRange range;
 };
 
@@ -44,9 +44,9 @@ struct Instruction {
   const InstructionInfo *info = nullptr;               ///< the chosen entry; set by sema
   std::uint32_t first_operand = 0;
   std::uint8_t operand_count = 0;
-  SourceRange range;          ///< of the mnemonic
-  std::uint32_t step = 0;     ///< first program step; set by sema
-  std::uint32_t rung = 0;     ///< 1-based; set by sema
+  SourceRange range;       ///< of the mnemonic
+  std::uint32_t step = 0;  ///< first program step; set by sema
+  std::uint32_t rung = 0;  ///< 1-based; set by sema
 };
 
 enum class CommentKind : std::uint8_t {
@@ -60,17 +60,17 @@ enum class CommentKind : std::uint8_t {
 struct Comment {
   std::uint32_t instruction;
   CommentKind kind;
-  SourceRange range;          ///< of the text, without the comment mark and outer blanks
+  SourceRange range;  ///< of the text, without the comment mark and outer blanks
 };
 
 /// One list file after parsing.
 struct ListProgram {
   const FamilyInfo *family = nullptr;
-  unsigned file = 0;                    ///< index in the SourceSet
+  unsigned file = 0;  ///< index in the SourceSet
   std::vector<Instruction> instructions;
   std::vector<Operand> operands;
-  std::vector<Comment> comments;        ///< in the order of their instructions
-  SourceRange end_of_text;              ///< zero length, for messages about what is missing
+  std::vector<Comment> comments;  ///< in the order of their instructions
+  SourceRange end_of_text;        ///< zero length, for messages about what is missing
 
   llvm::ArrayRef<Operand> operands_of(const Instruction &i) const {
     return llvm::ArrayRef<Operand>(operands).slice(i.first_operand, i.operand_count);

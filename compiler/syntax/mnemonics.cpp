@@ -66,4 +66,4 @@ std::optional<llvm::StringRef> Mnemonics::nearest(llvm::StringRef word) {
   return result;
 }
 
-} // namespace ladderc
+}  // namespace ladderc

@@ -46,4 +46,4 @@ private:
   unsigned guesses_left_ = 200;
 };
 
-} // namespace ladderc
+}  // namespace ladderc

@@ -20,7 +20,9 @@
 namespace ladderc {
 namespace {
 
-unsigned digit_value(char c) { return llvm::hexDigitValue(c); }
+unsigned digit_value(char c) {
+  return llvm::hexDigitValue(c);
+}
 
 struct Number {
   llvm::StringRef digits;
@@ -65,7 +67,7 @@ bool blame_digit(OperandProblem &problem, llvm::StringRef word, llvm::StringRef 
   return blame(problem, DiagId::OperandUnreadable, word, word);
 }
 
-} // namespace
+}  // namespace
 
 OperandReader::OperandReader(const FamilyInfo &family) : family_(family) {
   for (const auto &[id, device] : llvm::enumerate(family.devices))
@@ -253,4 +255,4 @@ Operand parse_operand(const FamilyInfo &family, llvm::StringRef word, SourceRang
   return OperandReader(family).read(word, range);
 }
 
-} // namespace ladderc
+}  // namespace ladderc

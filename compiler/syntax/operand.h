@@ -15,9 +15,9 @@ struct OperandProblem {
   DiagId id = DiagId::OperandUnreadable;
   std::size_t begin = 0;
   std::size_t length = llvm::StringRef::npos;  ///< to the end of the word
-  llvm::StringRef device;  ///< letters before the number
-  unsigned radix = 10;     ///< that the number has there
-  llvm::StringRef kind;    ///< of an UnsupportedConstant: "real", "string"
+  llvm::StringRef device;                      ///< letters before the number
+  unsigned radix = 10;                         ///< that the number has there
+  llvm::StringRef kind;                        ///< of an UnsupportedConstant: "real", "string"
 
   /// False where the word does not even begin like an operand.
   bool looks_like_operand() const { return id != DiagId::OperandUnreadable; }
@@ -44,7 +44,8 @@ private:
   bool read_bit(llvm::StringRef &rest, llvm::StringRef word, Operand &operand, OperandProblem &problem) const;
   bool read_index(llvm::StringRef rest, Operand &operand) const;
   bool read_decimal(llvm::StringRef word, Operand &operand, OperandProblem &problem) const;
-  bool read_digits(llvm::StringRef word, llvm::StringRef rest, std::uint64_t count, Operand &operand, OperandProblem &problem) const;
+  bool read_digits(llvm::StringRef word, llvm::StringRef rest, std::uint64_t count, Operand &operand,
+                   OperandProblem &problem) const;
   bool read_hexadecimal(llvm::StringRef word, Operand &operand, OperandProblem &problem) const;
   bool read_word(llvm::StringRef word, Operand &operand, OperandProblem &problem) const;
 
@@ -53,4 +54,4 @@ private:
   std::array<std::uint8_t, 257> first_{};  ///< where the prefixes of each character begin
 };
 
-} // namespace ladderc
+}  // namespace ladderc

@@ -25,7 +25,9 @@
 namespace ladderc {
 namespace {
 
-llvm::StringRef radix_name(unsigned radix) { return radix == 8 ? "octal" : radix == 16 ? "hexadecimal" : "decimal"; }
+llvm::StringRef radix_name(unsigned radix) {
+  return radix == 8 ? "octal" : radix == 16 ? "hexadecimal" : "decimal";
+}
 
 class Parser {
 public:
@@ -114,8 +116,7 @@ std::size_t Parser::begin_line(const ListLine &line) {
     return match.words;
   }
   OperandProblem problem;
-  const bool readable =
-      !line.starts_instruction && operands_.read(word.text, word.range, &problem).kind != OperandKind::Invalid;
+  const bool readable = !line.starts_instruction && operands_.read(word.text, word.range, &problem).kind != OperandKind::Invalid;
   const bool misspelt = !readable && !line.starts_instruction && problem.looks_like_operand() && !satisfied();
   if ((readable || misspelt) && has_room())
     return 0;
@@ -140,8 +141,7 @@ std::size_t Parser::take_inner(llvm::ArrayRef<Word> words) {
     }
   }
   if (MnemonicMatch match = mnemonics_.match(words)) {
-    const bool operand_wins =
-        target_ == Target::Unknown && operands_.read(word.text, word.range).kind != OperandKind::Invalid;
+    const bool operand_wins = target_ == Target::Unknown && operands_.read(word.text, word.range).kind != OperandKind::Invalid;
     if (!operand_wins) {
       begin_known(words, match);
       return match.words;
@@ -238,9 +238,10 @@ void Parser::report_stray(const Word &word) {
   target_ = Target::Dropped;
 }
 
-} // namespace
+}  // namespace
 
-ListProgram parse_list(const FamilyInfo &family, const SourceSet &sources, unsigned file, ListFormat format, Diagnostics &diagnostics) {
+ListProgram parse_list(const FamilyInfo &family, const SourceSet &sources, unsigned file, ListFormat format,
+                       Diagnostics &diagnostics) {
   llvm::BumpPtrAllocator memory;
   llvm::StringSaver saver(memory);
   Parser parser(family, sources[file], file, diagnostics);
@@ -248,4 +249,4 @@ ListProgram parse_list(const FamilyInfo &family, const SourceSet &sources, unsig
   return parser.finish();
 }
 
-} // namespace ladderc
+}  // namespace ladderc

@@ -49,7 +49,7 @@ void print_operand(const FamilyInfo &family, const Operand &operand, const Sourc
     out << " index " << family.devices[operand.index].prefix << ' ' << unsigned(operand.index_number);
 }
 
-} // namespace
+}  // namespace
 
 void print_ast(const ListProgram &program, const SourceSet &sources, llvm::raw_ostream &out) {
   for (const Instruction &instruction : program.instructions) {
@@ -64,4 +64,4 @@ void print_ast(const ListProgram &program, const SourceSet &sources, llvm::raw_o
   }
 }
 
-} // namespace ladderc
+}  // namespace ladderc

@@ -80,7 +80,7 @@ std::optional<std::string> build(llvm::StringRef folder, llvm::ArrayRef<std::str
   if (!program)
     return fmt::format("the C++ compiler '{}' was not found: install it or set CXX", compiler.front());
   compiler.front() = *program;
-  std::vector<std::string> flags = {"-std=c++17", fmt::format("-O{}", options.level), "-fno-exceptions", "-fno-rtti",
+  std::vector<std::string> flags = {"-std=c++20", fmt::format("-O{}", options.level), "-fno-exceptions", "-fno-rtti",
                                     "-I" + locations.runtime_include, "-I" + locations.hosted_include};
   if (options.debug)
     flags.push_back("-g");

@@ -242,7 +242,7 @@ def BlockBeyondEnd : Warning<"block-beyond-end", "'{operand}' with {count} {unit
   let right = "LD X0\nFMOVP K1 D6141 K3\nEND\n";
   let references = [QS<"3.4", "4101">, QS<"6.4.3", "4101">, QS<"6.4.4", "4101">];
 }
-def DoubleCoil : Warning<"double-coil", "second {mnemonic} of {device} in one scan; the one executed last wins"> {
+def DoubleCoil : Warning<"double-coil", "{device} is driven by another instruction before this {mnemonic}; the one executed last in a scan wins"> {
   let explanation = [{OUT, PLS and PLF write their device in every scan, whether their condition is ON or OFF. With two of them on one device the
 first has an effect only on the rungs in between. Timers and counters advance at each of them.}];
   let wrong = "LD X0\nOUT Y5\nLD X1\nOUT Y5\nEND\n";

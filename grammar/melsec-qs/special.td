@@ -38,7 +38,9 @@ def : SystemRelay<203, "STOP", "ON while the CPU is in STOP.", 1, "app. 2(2)">;
 def : UserRelay<213, "clock read request", "While ON, the CPU's clock is shown in SD210-SD213.", 1, "app. 2(2)">;
 def : SystemRelay<232, "ROM write count", "ON when the ROM has been written more than 100,000 times.", 0, "app. 2(2)">;
 defvar ClockRelays = "app. 2(3)";
+let constant = 1 in
 def : SystemRelay<400, "always ON", "ON in every scan.", 1, ClockRelays>;
+let constant = 0 in
 def : SystemRelay<401, "always OFF", "OFF in every scan.", 1, ClockRelays>;
 def : SystemRelay<402, "first scan ON", "ON in the first scan after the change to RUN only.", 1, ClockRelays>;
 def : SystemRelay<403, "first scan OFF", "OFF in the first scan after the change to RUN only.", 1, ClockRelays>;

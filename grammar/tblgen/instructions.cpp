@@ -136,7 +136,8 @@ std::string device_text(const Record &r, Arrays &arrays) {
 std::string special_text(const Record &r) {
   return "{" + quoted(r.getValueAsString("device")) + ", " + quoted(r.getValueAsString("name")) + ", " +
          quoted(r.getValueAsString("behaviour")) + ", " + flag(r.getValueAsBit("writable")) + ", " +
-         flag(r.getValueAsBit("simulated")) + ", " + quoted(r.getValueAsString("section")) + "}";
+         flag(r.getValueAsBit("simulated")) + ", " + quoted(r.getValueAsString("section")) + ", " +
+         std::to_string(r.getValueAsInt("constant")) + "}";
 }
 
 std::string error_text(const Record &r) {

@@ -104,6 +104,7 @@ TEST(Resolve, BitsOfWords) {
 TEST(Resolve, IndexRegistersDoNotExist) {
   EXPECT_THAT(messages_of("LD X0\nMOV D0Z1 D1"), are("2:5 index-register"));
   EXPECT_THAT(messages_of("LD X0\nMOV K4X0Z1 D1"), are("2:5 index-register"));
+  EXPECT_THAT(messages_of("LD X0\nMOV X0Z1 D1"), are("2:5 index-register"));
 }
 
 TEST(Resolve, EveryBadOperandOfALineIsReported) {
@@ -194,6 +195,7 @@ TEST(Operands, BlocksBeyondTheEnd) {
   EXPECT_THAT(messages_of("LD X0\nFMOVP K1 D6142 K3"), are("2:10 block-beyond-end"));
   EXPECT_THAT(messages_of("LD X0\nBMOV D6142 D0 K3"), are("2:6 block-beyond-end"));
   EXPECT_THAT(messages_of("LD X0\nFMOV D0 K4Y17E0 K3"), are("2:9 block-beyond-end"));
+  EXPECT_THAT(messages_of("LD X0\nFMOV D0 K4Y17F8 K1"), are("2:9 block-beyond-end"));
   EXPECT_THAT(messages_of("LD X0\nFMOV D0 K4Y17E0 K2\nFMOV D0 D6143 D1"), no_messages());
 }
 

@@ -30,8 +30,8 @@ const std::initializer_list<const char *> kKorean = {"스텝 번호", "행 간 �
 
 std::string example_rows() {
   return row({"0", " 电机启动", "", "", "", "", ""}) + row({"16", "", "LD", "X5B", "", "", ""}) +
-         row({"17", "", "OUT", "T0", "", "", ""}) + row({"", "", "", "K100", "", "", ""}) +
-         row({"", "", "", "", "", "", "计时"}) + row({"21", "", "END", "", "", "", ""});
+         row({"17", "", "OUT", "T0", "", "", ""}) + row({"", "", "", "K100", "", "", ""}) + row({"", "", "", "", "", "", "计时"}) +
+         row({"21", "", "END", "", "", "", ""});
 }
 const char kExampleRead[] = "4 [电机启动]\n5 ! LD X5B\n6 ! OUT T0\n7 + K100\n8 {计时}\n9 ! END\n";
 
@@ -127,7 +127,9 @@ TEST(CsvReader, GxDeveloperWithoutHead) {
             "1 ! LD X0\n2 ! OUT T204\n3 + K100\n4 ! END\n");
 }
 
-TEST(CsvReader, NormalisesCells) { EXPECT_EQ(read_text("0,,ｌｄ≤,ｄ０　K5,,,\n1,,out,y0,,,\n").text, "1 ! LD<= D0 K5\n2 ! OUT Y0\n"); }
+TEST(CsvReader, NormalisesCells) {
+  EXPECT_EQ(read_text("0,,ｌｄ≤,ｄ０　K5,,,\n1,,out,y0,,,\n").text, "1 ! LD<= D0 K5\n2 ! OUT Y0\n");
+}
 
 TEST(CsvReader, AQuoteThatDoesNotEndStopsAtItsRow) {
   const Reading reading = read_text("0,\"motor,,,,\n0,,LD,X0,,,\n1,,OUT,Y0,,,\n");

@@ -29,7 +29,9 @@ TEST(PlainReader, StepNumbersAreSkipped) {
             "1 LD X0\n2 OUT T0\n3 K10\n4 END\n5 NOP\n");
 }
 
-TEST(PlainReader, ANumberBehindTheFirstWordStays) { EXPECT_EQ(read_text("OUT T0 100\n").text, "1 OUT T0 100\n"); }
+TEST(PlainReader, ANumberBehindTheFirstWordStays) {
+  EXPECT_EQ(read_text("OUT T0 100\n").text, "1 OUT T0 100\n");
+}
 
 TEST(PlainReader, FullWidthCharacters) {
   EXPECT_EQ(read_text("　ＬＤ　Ｘ０　；　手动\n０：ＯＵＴ　ｙ０\n１　ＬＤ＜＝　Ｋ１　Ｄ０／／　注\n").text,

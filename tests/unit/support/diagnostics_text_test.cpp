@@ -96,26 +96,26 @@ TEST(DiagnosticText, WarningsTellHowToSilenceThem) {
 
 TEST(DiagnosticText, CaretStandsUnderWideCharacters) {
   EXPECT_EQ(mark("\"手动\"\tＸ５ 电机 K1\n", "电机"), "a.il:1:9: error: '电机' belongs to no instruction [stray-operand]\n"
-                                                        "    1 | \"手动\"  Ｘ５ 电机 K1\n"
-                                                        "      |              ^~~~\n"
-                                                        "\n"
-                                                        "1 error\n");
+                                                      "    1 | \"手动\"  Ｘ５ 电机 K1\n"
+                                                      "      |              ^~~~\n"
+                                                      "\n"
+                                                      "1 error\n");
 }
 
 TEST(DiagnosticText, TabsAreExpanded) {
   EXPECT_EQ(mark("\tOUT\tY0\tM1\n", "M1"), "a.il:1:9: error: 'M1' belongs to no instruction [stray-operand]\n"
-                                            "    1 |         OUT     Y0      M1\n"
-                                            "      |                         ^~\n"
-                                            "\n"
-                                            "1 error\n");
+                                           "    1 |         OUT     Y0      M1\n"
+                                           "      |                         ^~\n"
+                                           "\n"
+                                           "1 error\n");
 }
 
 TEST(DiagnosticText, ControlCharactersAreShownAsPictures) {
   EXPECT_EQ(mark("LD \x1B[31m X0\n", "X0"), "a.il:1:10: error: 'X0' belongs to no instruction [stray-operand]\n"
-                                              "    1 | LD ␛[31m X0\n"
-                                              "      |          ^~\n"
-                                              "\n"
-                                              "1 error\n");
+                                            "    1 | LD ␛[31m X0\n"
+                                            "      |          ^~\n"
+                                            "\n"
+                                            "1 error\n");
 }
 
 TEST(DiagnosticText, ARangeOverTheLineEndStopsThere) {

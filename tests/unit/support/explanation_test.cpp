@@ -15,7 +15,8 @@ std::string page(const DiagInfo &record) {
 
 TEST(Explanation, HasAllPartsOfTheRecord) {
   constexpr DiagReference kReferences[] = {{"melsec-qs", "5.2.2", "4010"}};
-  const DiagInfo record{"two-words", Severity::Warning, "'{word}' twice", "It stands twice.", "LD X0\nLD X0\n", "LD X0\n", kReferences};
+  const DiagInfo record{"two-words",      Severity::Warning, "'{word}' twice", "It stands twice.",
+                        "LD X0\nLD X0\n", "LD X0\n",         kReferences};
   EXPECT_EQ(page(record), "two-words (warning)\n"
                           "\n"
                           "    '{word}' twice\n"

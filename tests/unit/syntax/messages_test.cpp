@@ -6,7 +6,9 @@
 namespace ladderc {
 namespace {
 
-std::string messages(std::string list) { return Parsed(std::move(list)).messages(); }
+std::string messages(std::string list) {
+  return Parsed(std::move(list)).messages();
+}
 
 TEST(ParserMessages, UnknownMnemonicWithTheNearestOne) {
   EXPECT_EQ(Parsed("LD X0\n  outt y0 ; 手动\nEND\n").rendered(),
@@ -20,12 +22,13 @@ TEST(ParserMessages, UnknownMnemonicWithTheNearestOne) {
 }
 
 TEST(ParserMessages, NothingNearNothingSaid) {
-  EXPECT_EQ(Parsed("PLUGH X0\n").rendered(), "a.il:1:1: error: 'PLUGH' is no instruction of MELSEC QS (QS001CPU) [unknown-mnemonic]\n"
-                                            "    1 | PLUGH X0\n"
-                                            "      | ^~~~~\n"
-                                            "  = manual: QS 9.1.6; the controller reports 4000\n"
-                                            "\n"
-                                            "1 error\n");
+  EXPECT_EQ(Parsed("PLUGH X0\n").rendered(),
+            "a.il:1:1: error: 'PLUGH' is no instruction of MELSEC QS (QS001CPU) [unknown-mnemonic]\n"
+            "    1 | PLUGH X0\n"
+            "      | ^~~~~\n"
+            "  = manual: QS 9.1.6; the controller reports 4000\n"
+            "\n"
+            "1 error\n");
 }
 
 TEST(ParserMessages, OneCauseOneError) {
@@ -66,11 +69,12 @@ TEST(ParserMessages, Constants) {
 }
 
 TEST(ParserMessages, TheTextOfADigit) {
-  EXPECT_EQ(Parsed("LD D1F\n").rendered(), "a.il:1:6: error: 'D1F' has the digit F; D is followed by a number in decimal [digit-not-in-radix]\n"
-                                          "    1 | LD D1F\n"
-                                          "      |      ^\n"
-                                          "\n"
-                                          "1 error\n");
+  EXPECT_EQ(Parsed("LD D1F\n").rendered(),
+            "a.il:1:6: error: 'D1F' has the digit F; D is followed by a number in decimal [digit-not-in-radix]\n"
+            "    1 | LD D1F\n"
+            "      |      ^\n"
+            "\n"
+            "1 error\n");
 }
 
 TEST(ParserMessages, AnUnreadableOperandKeepsItsPlace) {

@@ -6,7 +6,9 @@
 namespace ladderc {
 namespace {
 
-Operand read(llvm::StringRef word) { return parse_operand(qs(), word, SourceRange(0, static_cast<std::uint32_t>(word.size()))); }
+Operand read(llvm::StringRef word) {
+  return parse_operand(qs(), word, SourceRange(0, static_cast<std::uint32_t>(word.size())));
+}
 
 std::string device(const Operand &operand) {
   return operand.device == kNoDevice ? "-" : qs().devices[operand.device].prefix.str();
@@ -110,8 +112,8 @@ TEST(Operand, IndexRegistersOfTheFamily) {
 }
 
 TEST(Operand, EverythingElseIsInvalid) {
-  for (const char *word : {"", "X", "Q5", "X1G", "M1F", "D0.", "D0.10", "D0.G", "K", "K-", "K--5", "K+5", "K1.5", "K4Q0", "H", "HG",
-                           "100", "-5", "E1.5", "\"text\"", "X 1", "X1.", "D4294967296", "手动", "=", "."}) {
+  for (const char *word : {"",     "X", "Q5", "X1G", "M1F", "D0.",  "D0.10",    "D0.G", "K",   "K-",          "K--5", "K+5", "K1.5",
+                           "K4Q0", "H", "HG", "100", "-5",  "E1.5", "\"text\"", "X 1",  "X1.", "D4294967296", "手动", "=",   "."}) {
     EXPECT_EQ(read(word).kind, OperandKind::Invalid) << word;
   }
   expect_device("D4294967295", "D", 4294967295);

@@ -15,26 +15,27 @@ std::string ast(std::string list) {
 
 TEST(Parser, OneInstructionALine) {
   EXPECT_EQ(ast("LD X1F\nOUT T0 K10\nMOV K4X10 D0\nLD D0.5\nMOV HFF D1\nEND\n"), "1: LD | device X 1F\n"
-                                                                                   "2: OUT | device T 0 | decimal 10\n"
-                                                                                   "3: MOV | 4 digits from X 10 | device D 0\n"
-                                                                                   "4: LD | bit 5 of D 0\n"
-                                                                                   "5: MOV | hexadecimal FF | device D 1\n"
-                                                                                   "6: END\n");
+                                                                                 "2: OUT | device T 0 | decimal 10\n"
+                                                                                 "3: MOV | 4 digits from X 10 | device D 0\n"
+                                                                                 "4: LD | bit 5 of D 0\n"
+                                                                                 "5: MOV | hexadecimal FF | device D 1\n"
+                                                                                 "6: END\n");
 }
 
 TEST(Parser, AWholeListOnOneLine) {
-  EXPECT_EQ(ast("LD X0 OR Y0 ANI X1 OUT Y0 LD X2 OUT T0 K10 MPS AND X3 MPP + D0 D1 - D0 D1 D2 END"), "1: LD | device X 0\n"
-                                                                                                      "1: OR | device Y 0\n"
-                                                                                                      "1: ANI | device X 1\n"
-                                                                                                      "1: OUT | device Y 0\n"
-                                                                                                      "1: LD | device X 2\n"
-                                                                                                      "1: OUT | device T 0 | decimal 10\n"
-                                                                                                      "1: MPS\n"
-                                                                                                      "1: AND | device X 3\n"
-                                                                                                      "1: MPP\n"
-                                                                                                      "1: + | device D 0 | device D 1\n"
-                                                                                                      "1: - | device D 0 | device D 1 | device D 2\n"
-                                                                                                      "1: END\n");
+  EXPECT_EQ(ast("LD X0 OR Y0 ANI X1 OUT Y0 LD X2 OUT T0 K10 MPS AND X3 MPP + D0 D1 - D0 D1 D2 END"),
+            "1: LD | device X 0\n"
+            "1: OR | device Y 0\n"
+            "1: ANI | device X 1\n"
+            "1: OUT | device Y 0\n"
+            "1: LD | device X 2\n"
+            "1: OUT | device T 0 | decimal 10\n"
+            "1: MPS\n"
+            "1: AND | device X 3\n"
+            "1: MPP\n"
+            "1: + | device D 0 | device D 1\n"
+            "1: - | device D 0 | device D 1 | device D 2\n"
+            "1: END\n");
 }
 
 TEST(Parser, OperandsOnFollowingLines) {
@@ -56,11 +57,11 @@ TEST(Parser, ComparisonsWithABlank) {
 
 TEST(Parser, AMnemonicThatReadsAsADevice) {
   EXPECT_EQ(ast("LD BCD\nBCD D0 D1\nLD X0 BCD D0 D1\nLD\nBCD D0 D1\n"), "1: LD | device B CD\n"
-                                                                         "2: BCD | device D 0 | device D 1\n"
-                                                                         "3: LD | device X 0\n"
-                                                                         "3: BCD | device D 0 | device D 1\n"
-                                                                         "4: LD\n"
-                                                                         "5: BCD | device D 0 | device D 1\n");
+                                                                        "2: BCD | device D 0 | device D 1\n"
+                                                                        "3: LD | device X 0\n"
+                                                                        "3: BCD | device D 0 | device D 1\n"
+                                                                        "4: LD\n"
+                                                                        "5: BCD | device D 0 | device D 1\n");
 }
 
 TEST(Parser, InATableTheCellDecides) {

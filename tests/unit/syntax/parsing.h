@@ -7,7 +7,9 @@
 
 namespace ladderc {
 
-inline const FamilyInfo &qs() { return *find_family("melsec-qs"); }
+inline const FamilyInfo &qs() {
+  return *find_family("melsec-qs");
+}
 
 struct Parsed {
   SourceSet sources;

@@ -1,4 +1,5 @@
-// Random bytes and random words parse without a crash into a program that can be walked. Seeds are fixed; a failure names its round.
+// Random bytes and random words parse without a crash into a program that can be walked. Seeds are fixed; a failure names its
+// round.
 #include "parsing.h"
 
 #include <gtest/gtest.h>
@@ -48,10 +49,53 @@ TEST(RandomLists, Bytes) {
 }
 
 TEST(RandomLists, WordsThatListsAreMadeOf) {
-  static constexpr const char *kWords[] = {"LD",  "AND", "=",    "<=",  "OUT",   "BCD",   "X0",  "X1G",    "D0.5", "K4X0", "K10",   "H",
-                                           "T0",  "+",   "/",    "/P",  "//",    ";",     "\n",  "\n",     ",",    "\t",   "\"",    "D0Z1",
-                                           "END", "12:", "ＬＤ", "≤",   "手动",  "E1.5",  "K",   "\r\n",   "MPS",  "OUTT", "K4",    "D",
-                                           ":",   "K-5", "D0.",  "ST0", "K4ST0", "CJ P0", "; ladderc: allow", "",  "X",    "\"ab\"", "M99999999999"};
+  static constexpr const char *kWords[] = {"LD",
+                                           "AND",
+                                           "=",
+                                           "<=",
+                                           "OUT",
+                                           "BCD",
+                                           "X0",
+                                           "X1G",
+                                           "D0.5",
+                                           "K4X0",
+                                           "K10",
+                                           "H",
+                                           "T0",
+                                           "+",
+                                           "/",
+                                           "/P",
+                                           "//",
+                                           ";",
+                                           "\n",
+                                           "\n",
+                                           ",",
+                                           "\t",
+                                           "\"",
+                                           "D0Z1",
+                                           "END",
+                                           "12:",
+                                           "ＬＤ",
+                                           "≤",
+                                           "手动",
+                                           "E1.5",
+                                           "K",
+                                           "\r\n",
+                                           "MPS",
+                                           "OUTT",
+                                           "K4",
+                                           "D",
+                                           ":",
+                                           "K-5",
+                                           "D0.",
+                                           "ST0",
+                                           "K4ST0",
+                                           "CJ P0",
+                                           "; ladderc: allow",
+                                           "",
+                                           "X",
+                                           "\"ab\"",
+                                           "M99999999999"};
   std::mt19937 random(2);
   for (unsigned round = 0; round < 6000; ++round) {
     SCOPED_TRACE(round);

@@ -28,7 +28,8 @@ INSTANTIATE_TEST_SUITE_P(OfReadersAndParser, MessageRecord,
                          testing::Values(DiagId::DamagedText, DiagId::UnclosedQuote, DiagId::UnknownDirective, DiagId::UnknownAllow,
                                          DiagId::AllowNotWarning, DiagId::UnknownMnemonic, DiagId::OperandUnreadable,
                                          DiagId::DeviceNumberMissing, DiagId::DigitNotInRadix, DiagId::ConstantSyntax,
-                                         DiagId::NumberTooLarge, DiagId::BitNumber, DiagId::UnsupportedConstant, DiagId::StrayOperand),
+                                         DiagId::NumberTooLarge, DiagId::BitNumber, DiagId::UnsupportedConstant,
+                                         DiagId::StrayOperand),
                          [](const testing::TestParamInfo<DiagId> &id) {
                            std::string name = ladderc::info(id.param).id.str();
                            for (char &c : name)

@@ -79,7 +79,8 @@ public:
   /// SET F
   template <class F> void annunciator_set(F &f, unsigned number, std::uint32_t step = 0) noexcept;
   /// RST F: clears the state and removes the entry.
-  template <class F> void annunciator_reset(F &f, unsigned number) noexcept;
+  /// `step` is given to every call of the system; this one reports nothing.
+  template <class F> void annunciator_reset(F &f, unsigned number, std::uint32_t step = 0) noexcept;
 
   /// The host found a scan longer than the watchdog time: the CPU stops. 0 or less than that time: the measured time is not known
   /// and is reported as the watchdog time.
@@ -378,7 +379,7 @@ void System<SmPoints, SdPoints>::annunciator_set(F &f, unsigned number, std::uin
 
 template <unsigned SmPoints, unsigned SdPoints>
 template <class F>
-void System<SmPoints, SdPoints>::annunciator_reset(F &f, unsigned number) noexcept {
+void System<SmPoints, SdPoints>::annunciator_reset(F &f, unsigned number, std::uint32_t) noexcept {
   f[number] = off;
   auto list = annunciators();
   list.remove(number, f);
