@@ -27,7 +27,7 @@ std::vector<std::uint32_t> find_lines(llvm::StringRef text) {
     } else {
       next = cr + 1;
       cr = find(next, '\r');
-      if (lf == next) {  // CR LF is one line end
+      if (lf == next && lf != end) {  // CR LF is one line end
         ++next;
         lf = find(next, '\n');
       }

@@ -18,6 +18,15 @@ TEST(SourceBuffer, FindsLinesOfEveryKindOfLineEnd) {
   EXPECT_EQ(buffer.line(6), "");
 }
 
+TEST(SourceBuffer, ALineEndMayEndTheText) {
+  for (const char *text : {"LD X0\r", "LD X0\n", "LD X0\r\n"}) {
+    SourceBuffer buffer("a.il", text);
+    EXPECT_EQ(buffer.line_count(), 2u);
+    EXPECT_EQ(buffer.line(1), "LD X0");
+    EXPECT_EQ(buffer.line(2), "");
+  }
+}
+
 TEST(SourceBuffer, CountsColumnsInCharacters) {
   SourceBuffer buffer("a.il", "LD X0\n; 手动 a\n");
   EXPECT_EQ(buffer.position(0).column, 1u);
