@@ -63,7 +63,10 @@ void Rungs::start(InstructionIndex index) {
   bool behind_output = last_ == Last::Output && (closed || failed_ != kNoInstruction);
   bool behind_unknown = last_ == Last::Unknown && closed;
   if (!open_ || behind_output || behind_unknown) {
+    bool may_go_on = open_ && closed && behind_output && failed_ == kNoInstruction;
+    Continuation before{may_go_on ? blocks_.front().opened_by : kNoInstruction, index, page_feed_, 0};
     begin_rung(index);
+    before_ = before;
     after_unknown_ = behind_unknown;
   } else {
     continue_rung(index);
@@ -76,6 +79,8 @@ void Rungs::join(InstructionIndex index) {
   continue_rung(index);
   if (blocks_.size() >= 2) {
     blocks_.pop_back();
+  } else if (goes_on_from_rung_before(index)) {
+    go_on_from_rung_before(index);
   } else {
     if (blocks_.size() == 1 && after_unknown_)
       failed_ = index;
@@ -85,6 +90,22 @@ void Rungs::join(InstructionIndex index) {
       blocks_.push_back({index, false});
   }
   leave_result(index);
+}
+
+/// A block of several contacts directly behind an output, and an ANB that has nothing else to join it to.
+bool Rungs::goes_on_from_rung_before(InstructionIndex index) const {
+  return before_.block != kNoInstruction && before_.contacts > 1 && blocks_.size() == 1 && branches_.empty() &&
+         failed_ == kNoInstruction && context_.instruction(index).info->lowering == Lowering::AndBlock;
+}
+
+void Rungs::go_on_from_rung_before(InstructionIndex index) {
+  --rung_;
+  for (InstructionIndex i = before_.begin; i <= index; ++i)
+    context_.instruction(i).rung = rung_;
+  blocks_.front().opened_by = before_.block;
+  if (before_.page_feed != kNoInstruction)
+    (void)report(DiagId::NoplfInRung, before_.page_feed);
+  before_ = {};
 }
 
 void Rungs::push_branch(InstructionIndex index) {
@@ -132,6 +153,7 @@ void Rungs::output(InstructionIndex index) {
   }
   last_ = Last::Output;
   unused_ = kNoInstruction;
+  before_ = {};
 }
 
 /// MCR and END: close the rung before and are one of their own.
@@ -170,6 +192,7 @@ void Rungs::begin_rung(InstructionIndex index) {
   last_ = Last::Nothing;
   unused_ = failed_ = last_pop_ = page_feed_ = kNoInstruction;
   after_unknown_ = false;
+  before_ = {};
 }
 
 /// The instruction belongs to the rung that is open; begins one where none is.
@@ -193,6 +216,7 @@ void Rungs::need_block(InstructionIndex index, DiagId id) {
 /// The instruction leaves a result that some output has to use.
 void Rungs::leave_result(InstructionIndex index) {
   last_ = Last::Contact;
+  ++before_.contacts;
   if (unused_ == kNoInstruction)
     unused_ = index;
 }

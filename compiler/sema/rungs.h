@@ -28,12 +28,21 @@ private:
     InstructionIndex opened_by;
     std::size_t depth;  ///< blocks that were open
   };
+  /// The end of the rung before, while this rung has no output and may yet turn out to go on from there.
+  struct Continuation {
+    InstructionIndex block = kNoInstruction;      ///< opened the block of the rung before; kNoInstruction: cannot go on
+    InstructionIndex begin = kNoInstruction;      ///< of this rung
+    InstructionIndex page_feed = kNoInstruction;  ///< NOPLF between the two
+    unsigned contacts = 0;                        ///< instructions of this rung that change the result
+  };
   /// What the current rung ends with so far. NOPs don't count.
   enum class Last { Nothing, Contact, Output, Unknown };
 
   void place(InstructionIndex index, Placement placement);
   void start(InstructionIndex index);
   void join(InstructionIndex index);
+  bool goes_on_from_rung_before(InstructionIndex index) const;
+  void go_on_from_rung_before(InstructionIndex index);
   void push_branch(InstructionIndex index);
   void read_branch(InstructionIndex index, bool pop);
   void output(InstructionIndex index);
@@ -61,7 +70,8 @@ private:
   InstructionIndex failed_ = kNoInstruction;     ///< the rung has an error here, and its further ones are consequences
   InstructionIndex last_pop_ = kNoInstruction;   ///< MPP of this rung
   InstructionIndex page_feed_ = kNoInstruction;  ///< NOPLF behind an output: between rungs if a rung follows
-  bool after_unknown_ = false;                   ///< the rung began behind an unknown instruction, perhaps wrongly
+  Continuation before_;
+  bool after_unknown_ = false;  ///< the rung began behind an unknown instruction, perhaps wrongly
 };
 
 }  // namespace ladderc::sema

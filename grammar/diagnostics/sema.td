@@ -136,7 +136,7 @@ behind MCR there is none yet. For an output that always acts, put the always-ON 
 }
 def JoinWithoutBlocks : Error<"join-without-blocks", "{mnemonic} joins two blocks, {count} is open"> {
   let explanation = [{ANB and ORB combine the two blocks that LD-type contacts have opened last. An LD-type contact after an output opens a new
-rung, whose blocks do not reach back to the rung before.}];
+rung. Only a block of several contacts goes on from the output with ANB; a single contact does so with AND.}];
   let wrong = "LD X0\nAND X1\nANB\nOUT Y0\nEND\n";
   let right = "LD X0\nLD X1\nANB\nOUT Y0\nEND\n";
   let references = [QS<"5.2.1">];

@@ -42,6 +42,18 @@ TEST(Rungs, ABlockBehindAnOutputOfAnOpenBranchBelongsToIt) {
   EXPECT_THAT(messages_of("LD X0\nMPS\nAND X1\nOUT Y0\nLD X2\nOR X3\nANB\nOUT Y1\nMPP\nOUT Y2"), no_messages());
 }
 
+TEST(Rungs, ABlockBehindAnOutputGoesOnWithAnb) {
+  const char *list = "LD X0\nOUT Y0\nLD X1\nOR X2\nANB\nOUT Y1\nLD X3\nOR X4\nANB\nOUT Y2\nLD X5\nOUT Y3\nEND\n";
+  EXPECT_THAT(check_text(list)->messages(), no_messages());
+  EXPECT_EQ(rungs_of(list), (std::vector<unsigned>{1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 2, 2, 3}));
+  EXPECT_THAT(messages_of("LD X0\nMPS\nAND X1\nOUT Y0\nMPP\nAND X7\nOUT Y2\nLD X10\nOR X11\nANB\nOUT Y3"), no_messages());
+  EXPECT_THAT(messages_of("LD X0\nOUT Y0\nNOPLF\nLD X1\nOR X2\nANB\nOUT Y1"), are("3:1 noplf-in-rung"));
+  EXPECT_THAT(messages_of("LD X0\nOUT Y0\nLD X1\nANB\nOUT Y1"), are("4:1 join-without-blocks"));
+  EXPECT_THAT(messages_of("LD X0\nOUT Y0\nLD X1\nOR X2\nORB\nOUT Y1"), are("5:1 join-without-blocks"));
+  EXPECT_THAT(messages_of("LD X0\nOUT Y0\nLD X1\nOR X2\nANB\nANB\nOUT Y1"), are("6:1 join-without-blocks"));
+  EXPECT_THAT(messages_of("LD X0\nOUT Y0\nLD X1\nOUT Y1\nOR X2\nANB\nOUT Y2"), are("6:1 join-without-blocks"));
+}
+
 TEST(Rungs, NopsBelongToTheRungTheyStandIn) {
   EXPECT_EQ(rungs_of("NOP\nLD X0\nNOP\nOUT Y0\nNOP\nLD X1\nOUT Y1\nEND\n"), (std::vector<unsigned>{1, 1, 1, 1, 1, 2, 2, 3}));
 }
