@@ -34,9 +34,10 @@ struct ListLine {
   SourceRange comment;         ///< text without mark and outer blanks; length 0: none
   SourceRange statement;       ///< CSV line statement; length 0: none
   SourceRange note;            ///< CSV note or P/I statement; length 0: none. Quotes in CSV texts stay doubled, as in the file
-  bool starts_instruction =
-      false;               ///< CSV: the instruction cell is filled, so the first word must be a mnemonic. Plain: unknown, false
-  bool continues = false;  ///< CSV: the instruction cell is empty, so all words are operands of the instruction before
+  /// CSV: the instruction cell is filled, so the first word must be a mnemonic. Plain: unknown, false.
+  bool starts_instruction = false;
+  /// CSV: the instruction cell is empty, so all words are operands of the instruction before.
+  bool continues = false;
 };
 
 /// Recognises the format of a text; never Auto.

@@ -41,7 +41,10 @@ public:
   }
 
   void take(const ListLine &line);
-  ListProgram finish() { return std::move(program_); }
+  ListProgram finish() {
+    take_statements();
+    return std::move(program_);
+  }
 
 private:
   /// What the next operand word is for.
@@ -61,7 +64,9 @@ private:
   void add_operand(const Operand &operand);
   void report_operand(const Word &word, const OperandProblem &problem);
   void report_stray(const Word &word);
-  void comment(CommentKind kind, SourceRange range, std::size_t instruction);
+  void comment(CommentKind kind, SourceRange range);
+  void take_statements();
+  void begin(Instruction instruction);
 
   unsigned count() const { return program_.instructions.back().operand_count; }
   bool has_room() const { return target_ == Target::Unknown || (target_ == Target::Known && count() < current_->max_operands); }
@@ -74,24 +79,35 @@ private:
   Mnemonics mnemonics_;
   OperandReader operands_;
   ListProgram program_;
+  /// Statements wait for the instruction that they stand above: rows between may still belong to the one before.
+  llvm::SmallVector<SourceRange, 4> statements_;
   Target target_ = Target::Nothing;
   const Mnemonic *current_ = nullptr;  ///< of the last instruction, while target_ is Known
 };
 
 void Parser::take(const ListLine &line) {
-  comment(CommentKind::Statement, line.statement, program_.instructions.size());
-  if (line.words.empty()) {
-    comment(CommentKind::Statement, line.comment, program_.instructions.size());
-  } else {
+  if (line.statement.length != 0)
+    statements_.push_back(line.statement);
+  if (!line.words.empty()) {
     take_words(line);
-    comment(CommentKind::Line, line.comment, std::max<std::size_t>(program_.instructions.size(), 1) - 1);
+    comment(CommentKind::Line, line.comment);
+  } else if (line.comment.length != 0) {
+    statements_.push_back(line.comment);
   }
-  comment(CommentKind::Note, line.note, std::max<std::size_t>(program_.instructions.size(), 1) - 1);
+  comment(CommentKind::Note, line.note);
 }
 
-void Parser::comment(CommentKind kind, SourceRange range, std::size_t instruction) {
+/// A comment of the last instruction, or of the first one to come.
+void Parser::comment(CommentKind kind, SourceRange range) {
   if (range.length != 0)
-    program_.comments.push_back({static_cast<std::uint32_t>(instruction), kind, range});
+    program_.comments.push_back(
+        {static_cast<std::uint32_t>(std::max<std::size_t>(program_.instructions.size(), 1) - 1), kind, range});
+}
+
+void Parser::take_statements() {
+  for (SourceRange range : statements_)
+    program_.comments.push_back({static_cast<std::uint32_t>(program_.instructions.size()), CommentKind::Statement, range});
+  statements_.clear();
 }
 
 void Parser::take_words(const ListLine &line) {
@@ -182,14 +198,19 @@ void Parser::add_operand(const Operand &operand) {
   ++program_.instructions.back().operand_count;
 }
 
+void Parser::begin(Instruction instruction) {
+  take_statements();
+  instruction.first_operand = static_cast<std::uint32_t>(program_.operands.size());
+  program_.instructions.push_back(instruction);
+}
+
 void Parser::begin_known(llvm::ArrayRef<Word> words, const MnemonicMatch &match) {
   Instruction instruction;
   instruction.candidates = match.mnemonic->entries;
-  instruction.first_operand = static_cast<std::uint32_t>(program_.operands.size());
   instruction.range = words.front().range;
   if (match.words == 2)
     instruction.range.length = words[1].range.end() - instruction.range.begin;
-  program_.instructions.push_back(instruction);
+  begin(instruction);
   current_ = match.mnemonic;
   target_ = Target::Known;
 }
@@ -204,9 +225,8 @@ void Parser::begin_unknown(const Word &word) {
       builder.note(DiagId::OtherFamily, word.range).arg("family", other.title);
 
   Instruction instruction;
-  instruction.first_operand = static_cast<std::uint32_t>(program_.operands.size());
   instruction.range = word.range;
-  program_.instructions.push_back(instruction);
+  begin(instruction);
   target_ = Target::Unknown;
 }
 

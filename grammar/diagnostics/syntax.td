@@ -60,6 +60,6 @@ def UnsupportedConstant : Error<"unsupported-constant", "{word} is a {kind} cons
 def StrayOperand : Error<"stray-operand", "'{word}' belongs to no instruction"> {
   let explanation = "Operands may stand on lines of their own behind their instruction. Here no instruction stands before, or the one "
     "before has all the operands that it can take.";
-  let wrong = "LD X0\nOUT Y0\nX5 X6\nEND\n";
-  let right = "LD X0\nOUT Y0\nLD X5\nOUT Y6\nEND\n";
+  let wrong = "LD X0\nX5\nOUT Y0\nEND\n";
+  let right = "LD X0\nAND X5\nOUT Y0\nEND\n";
 }

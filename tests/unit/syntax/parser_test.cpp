@@ -84,6 +84,15 @@ TEST(Parser, CommentsFindTheirInstructions) {
   EXPECT_EQ(text, "0[motor\n0 start\n1[coil\n1 timer\n1 preset\n2[the end\n");
 }
 
+TEST(Parser, CommentsStayInTheOrderOfTheirInstructions) {
+  Parsed parsed("OUT T0\n; between\nK10 ; preset\nLD X0\n");
+  ASSERT_EQ(parsed.program.comments.size(), 2u);
+  EXPECT_EQ(parsed.sources.text(parsed.program.comments[0].range), "preset");
+  EXPECT_EQ(parsed.program.comments[0].instruction, 0u);
+  EXPECT_EQ(parsed.sources.text(parsed.program.comments[1].range), "between");
+  EXPECT_EQ(parsed.program.comments[1].instruction, 1u);
+}
+
 TEST(Parser, StatementsAndNotesOfTables) {
   Parsed parsed("0,motor,,,,,\n0,,LD,X0,,,\n1,,OUT,Y0,,,\n,,,,,,lamp\n2,,END,,,,\n");
   ASSERT_EQ(parsed.program.comments.size(), 2u);
