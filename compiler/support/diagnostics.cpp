@@ -91,9 +91,7 @@ DiagBuilder Diagnostics::report(DiagId id, SourceRange range) {
 }
 
 void Diagnostics::allow(unsigned file, unsigned line, llvm::StringRef id) {
-  // Kept sorted; readers go through a file from top to bottom, so this appends.
-  std::pair<std::uint64_t, std::string> entry(line_key(file, line), id.str());
-  allowed_.insert(std::upper_bound(allowed_.begin(), allowed_.end(), entry), std::move(entry));
+  allowed_.emplace(line_key(file, line), id.str());
 }
 
 void Diagnostics::finish(Diagnostic diagnostic) {
@@ -103,7 +101,7 @@ void Diagnostics::finish(Diagnostic diagnostic) {
       return;
     if (!allowed_.empty() && diagnostic.range.file < sources_.size()) {
       const unsigned line = sources_.position(diagnostic.range).line;
-      if (std::binary_search(allowed_.begin(), allowed_.end(), std::pair(line_key(diagnostic.range.file, line), record.id.str())))
+      if (allowed_.contains({line_key(diagnostic.range.file, line), record.id.str()}))
         return;
     }
     if (options_.all_warnings_are_errors || options_.as_errors.contains(record.id))

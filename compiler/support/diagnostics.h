@@ -14,6 +14,7 @@
 #include "llvm/Support/raw_ostream.h"
 
 #include <cstdint>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -119,7 +120,7 @@ private:
   const SourceSet &sources_;
   DiagOptions options_;
   std::vector<Diagnostic> diagnostics_;
-  std::vector<std::pair<std::uint64_t, std::string>> allowed_;  ///< (file << 32 | line, id)
+  std::set<std::pair<std::uint64_t, std::string>> allowed_;  ///< (file << 32 | line, id)
   unsigned errors_ = 0;
   unsigned warnings_ = 0;
 };
