@@ -173,7 +173,7 @@ TEST(Random, LegalListsGetNoMessage) {
 
 TEST(Random, WhatIsAcceptedRuns) {
   unsigned accepted = 0;
-  for (unsigned seed = 0; seed < 5'000; ++seed) {
+  for (unsigned seed = 0; seed < 2'000; ++seed) {
     std::string list = ListMaker(seed).any_list();
     auto checked = check_text(list);
     ASSERT_EQ(checked->program.ok, checked->diagnostics->errors() == 0);
@@ -182,7 +182,7 @@ TEST(Random, WhatIsAcceptedRuns) {
     ++accepted;
     ASSERT_EQ(run_on_stacks(checked->program), "") << "seed " << seed << "\n" << list;
   }
-  EXPECT_GT(accepted, 20u);
+  EXPECT_GT(accepted, 10u);
 }
 
 }  // namespace
