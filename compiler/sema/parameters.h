@@ -20,14 +20,14 @@ struct DeviceRange {
 };
 
 struct InitialValue {
-  std::string device;  ///< as written: "D0", "D10:d"
-  std::int64_t value;
+  std::string device;  ///< as written: "D0", "D10:d", "D3.A", "TN0" (current value)
+  std::int64_t value;  ///< the signed number of its width; a bit is 0 or 1
 };
 
 struct Parameters {
   std::vector<std::uint32_t> points;          ///< per device class: allocation; numbers run from 0 to points - 1
   std::vector<DeviceRange> latched;           ///< kept over power-off and reset
-  std::vector<InitialValue> latched_values;   ///< contents of latched devices before power-on
+  std::vector<InitialValue> latched_values;   ///< contents before power-on; the devices are in `latched` too
   std::vector<InitialValue> initial_values;   ///< written at power-on and at STOP to RUN
   std::uint32_t low_speed_unit_us = 100'000;  ///< 1-1000 ms in 1 ms
   std::uint32_t high_speed_unit_us = 10'000;  ///< 0.1-100 ms in 0.1 ms
