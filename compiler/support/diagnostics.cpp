@@ -100,7 +100,7 @@ void Diagnostics::finish(Diagnostic diagnostic) {
     if (options_.silenced.contains(record.id))
       return;
     if (!allowed_.empty() && diagnostic.range.file < sources_.size()) {
-      const unsigned line = sources_.position(diagnostic.range).line;
+      const unsigned line = sources_[diagnostic.range.file].line_of(diagnostic.range.begin);
       if (allowed_.contains({line_key(diagnostic.range.file, line), record.id.str()}))
         return;
     }
