@@ -94,10 +94,12 @@ template <unsigned Count> void scatter(bit *points, std::uint32_t pattern) noexc
     scatter_plain<Count>(points, pattern);
 }
 
-/// The low 32 bits of any integer.
-template <class Integer> constexpr std::uint32_t low_bits(Integer value) noexcept {
-  static_assert(std::is_integral<Integer>::value, "digits take integers");
-  return static_cast<std::uint32_t>(value);
+/// The low 32 bits of any integer, or of what stands for a double word, such as a pair of words.
+template <class Number> constexpr std::uint32_t low_bits(Number value) noexcept {
+  if constexpr (std::is_integral<Number>::value)
+    return static_cast<std::uint32_t>(value);
+  else
+    return pattern_of(static_cast<dword>(value));
 }
 
 }  // namespace detail
