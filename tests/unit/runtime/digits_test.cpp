@@ -128,6 +128,17 @@ TEST(Digits, AreAssignedFromDigits) {
   EXPECT_EQ(Y.digits<2>(9).word(), 0xA5);
 }
 
+TEST(Digits, TakeAPairOfWords) {
+  Words<2> words;
+  words[0] = 0x1234;
+  words[1] = 0x0FED;
+  Bits<40> image;
+  image.digits<8>(3) = words.pair(0);
+  EXPECT_EQ(image.dword<8>(3), 0x0FED1234);
+  image.digits<5>(8) = words.pair(0);
+  EXPECT_EQ(image.dword<5>(8), 0xD1234);
+}
+
 TEST(DigitRun, CrossesFromOneImageIntoTheNext) {
   Bits<34> Y;
   Bits<8> M;
