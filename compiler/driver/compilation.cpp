@@ -29,6 +29,9 @@ private:
   std::chrono::steady_clock::time_point start_;
 };
 
+/// Places in a text are 32-bit numbers; decoding can make a text three times as long.
+constexpr std::size_t kMaxFileSize = std::size_t{1} << 30;
+
 ListFormat format_of(llvm::StringRef name) {
   return name == "plain" ? ListFormat::Plain : name == "csv" ? ListFormat::GxCsv : ListFormat::Auto;
 }
@@ -41,6 +44,14 @@ bool Compilation::check_file(llvm::StringRef path) {
   auto file = llvm::MemoryBuffer::getFileOrSTDIN(path, false, false);
   if (!file) {
     usage_error(fmt::format("cannot read '{}': {}", path.str(), file.getError().message()));
+    return false;
+  }
+  if ((*file)->getBufferSize() > kMaxFileSize) {
+    usage_error(fmt::format("'{}' is larger than {} MiB", path.str(), kMaxFileSize >> 20));
+    return false;
+  }
+  if (!is_known_encoding(options.encoding)) {
+    usage_error(fmt::format("unknown encoding '{}'", options.encoding));
     return false;
   }
   Decoded decoded;

@@ -70,6 +70,20 @@ void write_latched(const Frame &frame, Writer &out) {
   }
 }
 
+/// `2026-11-25T08:00:00` as the clock's fields; sema has checked the text. The runtime works out the day of the week.
+void write_calendar(const Frame &frame, Writer &out) {
+  const llvm::StringRef text = frame.program.parameters.calendar;
+  if (text.empty())
+    return;
+  std::string fields;
+  for (const auto &[start, length] : {std::pair{0, 4}, {5, 2}, {8, 2}, {11, 2}, {14, 2}, {17, 2}}) {
+    unsigned value = 0;
+    text.substr(start, length).getAsInteger(10, value);
+    fields += fmt::format("{}, ", value);
+  }
+  out.line("program->sys.set_calendar({{{}0}});", fields);
+}
+
 void write_entries(const Frame &frame, Writer &out) {
   const std::string &name = frame.class_name;
   auto entry = [&](const char *signature, const char *body) {
@@ -79,11 +93,12 @@ void write_entries(const Frame &frame, Writer &out) {
   out.line("{0} &self(void *program) {{ return *static_cast<{0} *>(program); }}", name);
   {
     const Block block = out.block("void construct(void *memory)");
-    if (frame.program.parameters.latched_values.empty()) {
+    if (frame.program.parameters.latched_values.empty() && frame.program.parameters.calendar.empty()) {
       out.line("new (memory) {}{{}};", name);
     } else {
       out.line("auto *program = new (memory) {}{{}};", name);
       write_latched(frame, out);
+      write_calendar(frame, out);
     }
   }
   entry("void power_on(void *program)", "self(program).power_on();");

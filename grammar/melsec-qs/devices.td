@@ -81,13 +81,13 @@ def DevW : Device<"W", "link register", Word, 16, 2048> {
   let behaviour = "16 bits that a network module may refresh; otherwise as D.";
 }
 def DevSW : Device<"SW", "link special register", Word, 16, 1536> {
-  let memoryOrder = 14;
+  let memoryOrder = 15;  // an empty area lies behind W
   let pointsRegister = 304;
   let bitOfWord = 1;
   let behaviour = "16 bits of network state.";
 }
 def DevSD : Device<"SD", "special register", Word, 10, 5120> {
-  let memoryOrder = 15;
+  let memoryOrder = 16;
   let bitOfWord = 1;
   let image = "sys.SD";
   let behaviour = "Data of the CPU, see the list of special devices. Only SD1000-SD1299 may serve safety functions.";
