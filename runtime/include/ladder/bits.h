@@ -52,6 +52,11 @@ public:
     for (bit &point : points_)
       point = off;
   }
+  /// Numbers `first` to `last`, for classes that are latched in part.
+  constexpr void clear(unsigned first, unsigned last) noexcept {
+    for (unsigned number = first; number <= last; ++number)
+      points_[number] = off;
+  }
 
   template <unsigned Count> std::uint32_t gather_points(unsigned first) const noexcept {
     return detail::gather<Count>(points_ + first);
@@ -71,6 +76,10 @@ public:
   constexpr void clear() noexcept {
     for (std::uint32_t &cell : cells_)
       cell = 0;
+  }
+  constexpr void clear(unsigned first, unsigned last) noexcept {
+    for (unsigned number = first; number <= last; ++number)
+      (*this)[number] = off;
   }
 
   template <unsigned Count> std::uint32_t gather_points(unsigned first) const noexcept {

@@ -44,6 +44,11 @@ public:
     for (Counter &counter : counters_)
       counter.reset();
   }
+  /// Numbers `first` to `last`, for classes that are latched in part.
+  constexpr void clear(unsigned first, unsigned last) noexcept {
+    for (unsigned number = first; number <= last; ++number)
+      counters_[number].reset();
+  }
 
 private:
   Counter counters_[N] = {};

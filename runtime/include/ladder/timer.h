@@ -69,6 +69,11 @@ public:
     for (Timer &timer : timers_)
       timer.reset();
   }
+  /// Numbers `first` to `last`, for classes that are latched in part.
+  constexpr void clear(unsigned first, unsigned last) noexcept {
+    for (unsigned number = first; number <= last; ++number)
+      timers_[number].reset();
+  }
 
 private:
   Timer timers_[N] = {};

@@ -80,6 +80,11 @@ public:
     for (word &each : words_)
       each = 0;
   }
+  /// Numbers `first` to `last`, for classes that are latched in part.
+  constexpr void clear(unsigned first, unsigned last) noexcept {
+    for (unsigned number = first; number <= last; ++number)
+      words_[number] = 0;
+  }
 
 private:
   word words_[N] = {};
