@@ -148,26 +148,34 @@ std::optional<std::string> build_runner(const std::vector<Candidate> &candidates
   return std::nullopt;
 }
 
-/// List lines of the rungs that write the device, for the report of a failing step.
+/// True where the operation writes the device: by name, or (`blocks`) by a block of its class whose length only the run tells.
+bool writes(const ir::Module &module, const ir::Operation &o, const ir::Extent &wanted, bool blocks) {
+  bool hit = false;
+  ir::for_each_write(module, o, [&](const ir::Extent &e) {
+    hit |= e.all == blocks && ir::overlap(e, wanted) && (!blocks || e.device == wanted.device);
+  });
+  return hit;
+}
+
+/// List lines of the rungs that write the device, for the report of a failing step. Blocks count only where nothing else writes it.
 std::vector<std::string> writers_of(const Compilation &c, llvm::StringRef device) {
   const Operand operand = parse_operand(*c.program.family, device.split(':').first, {});
   std::vector<std::string> lines;
   if (operand.kind == OperandKind::Invalid)
     return lines;
-  ir::Extent wanted = ir::extent(c.module, ir::to_place(operand, OperandType::Word));
-  for (const ir::Rung &rung : c.module.routines.front().rungs) {
-    const bool writes = llvm::any_of(rung.operations, [&](const ir::Operation &o) {
-      bool hit = false;
-      ir::for_each_write(c.module, o, [&](const ir::Extent &e) { hit |= ir::overlap(e, wanted) && (!e.all || e.device == wanted.device); });
-      return hit;
-    });
-    if (!writes || lines.size() >= 12)
-      continue;
-    for (std::uint32_t i = 0; i < rung.instruction_count; ++i) {
-      const Instruction &instruction = c.program.list.instructions[rung.first_instruction + i];
-      lines.push_back(fmt::format("  line {}, step {}: {}", c.sources.position(instruction.range).line, instruction.step,
-                                  emit::list_text(c.program, instruction)));
+  const ir::Extent wanted = ir::extent(c.module, ir::to_place(operand, OperandType::Word));
+  for (const bool blocks : {false, true}) {
+    for (const ir::Rung &rung : c.module.routines.front().rungs) {
+      if (lines.size() >= 12 || llvm::none_of(rung.operations, [&](const ir::Operation &o) { return writes(c.module, o, wanted, blocks); }))
+        continue;
+      for (std::uint32_t i = 0; i < rung.instruction_count; ++i) {
+        const Instruction &instruction = c.program.list.instructions[rung.first_instruction + i];
+        lines.push_back(fmt::format("  line {}, step {}: {}", c.sources.position(instruction.range).line, instruction.step,
+                                    emit::list_text(c.program, instruction)));
+      }
     }
+    if (!lines.empty())
+      break;
   }
   return lines;
 }
