@@ -163,7 +163,10 @@ std::size_t Parser::take_inner(llvm::ArrayRef<Word> words) {
       return match.words;
     }
   }
-  if (target_ == Target::Known && satisfied() && word.text.front() != '"' && llvm::none_of(word.text, llvm::isDigit)) {
+  const bool wordlike = word.text.front() != '"' && llvm::none_of(word.text, llvm::isDigit);
+  // HFF has no digit, but reads as an operand that there is room for.
+  const bool fits = has_room() && operands_.read(word.text, word.range).kind != OperandKind::Invalid;
+  if (target_ == Target::Known && satisfied() && wordlike && !fits) {
     begin_unknown(word);
     return 1;
   }
