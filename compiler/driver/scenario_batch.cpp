@@ -159,7 +159,12 @@ bool writes(const ir::Module &module, const ir::Operation &o, const ir::Extent &
 
 /// List lines of the rungs that write the device, for the report of a failing step. Blocks count only where nothing else writes it.
 std::vector<std::string> writers_of(const Compilation &c, llvm::StringRef device) {
-  const Operand operand = parse_operand(*c.program.family, device.split(':').first, {});
+  // TN0, CN0, TC0 and the like are names of scenarios only; the list knows the whole timer or counter.
+  std::string name = device.split(':').first.str();
+  if (const llvm::StringRef prefix = llvm::StringRef(name).take_while(llvm::isAlpha);
+      prefix.size() > 1 && find_device(*c.program.family, prefix) == kNoDevice)
+    name.erase(prefix.size() - 1, 1);
+  const Operand operand = parse_operand(*c.program.family, name, {});
   std::vector<std::string> lines;
   if (operand.kind == OperandKind::Invalid)
     return lines;
