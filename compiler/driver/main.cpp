@@ -34,6 +34,7 @@ const Command kCommands[] = {
     {&kBench, [] { return run_bench(g_argv0); }},
     {&kInstructions, run_instructions},
     {&kExplain, run_explain},
+    {&kGenerate, run_generate},
 };
 
 /// --no-PASS is a spelling of --no-pass=PASS for every row of the pipeline.

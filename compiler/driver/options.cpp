@@ -20,6 +20,7 @@ cl::SubCommand kTest("test", "run scenario files");
 cl::SubCommand kBench("bench", "measure the scan time of a list");
 cl::SubCommand kInstructions("instructions", "list the instructions that ladderc knows");
 cl::SubCommand kExplain("explain", "explain a message by its id");
+cl::SubCommand kGenerate("generate", "write a random legal list, for tests");
 
 std::string g_argv0;
 
@@ -33,11 +34,11 @@ cl::OptionCategory kMessages("Messages");
 #define LADDERC_CODE_COMMANDS cl::sub(kBuild), cl::sub(kEmit), cl::sub(kRun), cl::sub(kBench), cl::sub(kTest)
 
 cl::opt<std::string> kFamily("family", cl::desc("Controller family (default melsec-qs)"), cl::value_desc("ID"), cl::init("melsec-qs"),
-                             cl::cat(kLanguage), LADDERC_LIST_COMMANDS, cl::sub(kInstructions));
+                             cl::cat(kLanguage), LADDERC_LIST_COMMANDS, cl::sub(kInstructions), cl::sub(kGenerate));
 cl::opt<std::string> kModel("model", cl::desc("CPU model (default: the family's largest)"), cl::value_desc("NAME"), cl::cat(kLanguage),
-                            LADDERC_LIST_COMMANDS);
+                            LADDERC_LIST_COMMANDS, cl::sub(kGenerate));
 cl::opt<std::string> kParameters("parameters", cl::desc("PC parameters: device points, latch ranges, timer units"),
-                                 cl::value_desc("FILE.json"), cl::cat(kLanguage), LADDERC_LIST_COMMANDS);
+                                 cl::value_desc("FILE.json"), cl::cat(kLanguage), LADDERC_LIST_COMMANDS, cl::sub(kGenerate));
 cl::opt<std::string> kEncoding("encoding", cl::desc("Encoding of the list: auto, utf-8, utf-16le, gb18030, shift_jis"),
                                cl::value_desc("NAME"), cl::init("auto"), cl::cat(kLanguage), LADDERC_LIST_COMMANDS);
 cl::opt<std::string> kFormat("format", cl::desc("Shape of the list: auto, plain, csv"), cl::value_desc("NAME"), cl::init("auto"),
@@ -51,6 +52,8 @@ cl::opt<std::string> kNamespace("namespace", cl::desc("Namespace of the generate
                                 cl::init("plant"), cl::cat(kCode), cl::sub(kBuild), cl::sub(kEmit), cl::sub(kCheck));
 cl::list<std::string> kNoPass("no-pass", cl::desc("Do not run this pass (also --no-PASS)"), cl::value_desc("PASS"), cl::cat(kCode),
                               LADDERC_LIST_COMMANDS);
+cl::list<std::string> kPass("pass", cl::desc("Run this pass only; several run in the order given"), cl::value_desc("PASS"), cl::cat(kCode),
+                            LADDERC_LIST_COMMANDS);
 cl::list<std::string> kPrintAfter("print-after", cl::desc("Print the IR after this pass, or after 'all'"), cl::value_desc("PASS"),
                                   cl::cat(kCode), LADDERC_LIST_COMMANDS);
 cl::opt<long long> kBisect("bisect", cl::desc("Make only the first N rewrites of the passes"), cl::value_desc("N"), cl::init(-1),
@@ -85,10 +88,6 @@ bool read_warnings(DiagOptions &diag) {
   return true;
 }
 
-bool known_pass(llvm::StringRef name) {
-  return llvm::any_of(opt::passes(), [&](const opt::Pass &p) { return p.name == name; });
-}
-
 }  // namespace
 
 int usage_error(llvm::StringRef text) {
@@ -109,6 +108,7 @@ bool read_common_options(CommonOptions &o) {
   o.debug = kDebug;
   o.stats = kStats;
   o.disabled_passes.assign(kNoPass.begin(), kNoPass.end());
+  o.only_passes.assign(kPass.begin(), kPass.end());
   o.print_after.assign(kPrintAfter.begin(), kPrintAfter.end());
   o.bisect = kBisect;
   o.diag.max_errors = kMaxErrors;
@@ -122,9 +122,9 @@ bool read_common_options(CommonOptions &o) {
     usage_error("-O takes 0, 1 or 2");
     return false;
   }
-  for (const std::vector<std::string> *names : {&o.disabled_passes, &o.print_after})
+  for (const std::vector<std::string> *names : {&o.disabled_passes, &o.only_passes, &o.print_after})
     for (const std::string &name : *names)
-      if (!known_pass(name) && !(names == &o.print_after && name == "all")) {
+      if (!opt::find_pass(name) && !(names == &o.print_after && name == "all")) {
         usage_error(fmt::format("there is no pass '{}'", name));
         return false;
       }

@@ -12,13 +12,13 @@
 namespace ladderc::driver {
 
 /// A subcommand: its LLVM object and what it does. The table is in main.cpp.
-extern llvm::cl::SubCommand kBuild, kEmit, kCheck, kRun, kTest, kBench, kInstructions, kExplain;
+extern llvm::cl::SubCommand kBuild, kEmit, kCheck, kRun, kTest, kBench, kInstructions, kExplain, kGenerate;
 
 struct CommonOptions {
   std::string family, model, parameters_file, encoding, format, emit, diagnostics, name_space;
   unsigned level = 2;
   bool debug = false, stats = false;
-  std::vector<std::string> disabled_passes, print_after;
+  std::vector<std::string> disabled_passes, only_passes, print_after;
   long long bisect = -1;
   DiagOptions diag;
 };
@@ -34,6 +34,7 @@ int run_test(llvm::StringRef argv0);
 int run_bench(llvm::StringRef argv0);
 int run_instructions();
 int run_explain();
+int run_generate();
 
 constexpr int kExitErrors = 1, kExitUsage = 2, kExitInternal = 70;
 

@@ -1,0 +1,208 @@
+// A rung is a network of contacts that leaves one result, and outputs behind it:
+//
+//     block    = start { more }
+//     more     = series | parallel | block ANB | block ORB
+//     outputs  = output | output behind outputs | more outputs | MPS outputs { MRD outputs } MPP outputs
+//
+// Behind an output a block of its own would be the next rung, unless a branch is open; what may stand there else is one contact.
+// A master control region is a rung that ends with MC, rungs and deeper regions, and MCR; the inner regions may be left to the
+// outer MCR.
+#include "generate/rung_maker.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace ladderc::generate {
+
+namespace {
+
+constexpr unsigned kTries = 60;
+constexpr unsigned kGuards = 5;  ///< contacts in series before an instruction that would soon stop the CPU
+
+}  // namespace
+
+std::string RungMaker::list() {
+  text_ = fmt::format("; ladderc generate --family={} --profile={} --seed={} --rungs={}\n", options_.family->id.str(),
+                      name(options_.profile).str(), options_.seed, options_.rungs);
+  while (rungs_ < options_.rungs) {
+    if (random_.one_in(8) && catalogue_.find(Lowering::MasterControl))
+      region(0, 3);
+    else
+      rung();
+  }
+  if (const InstructionInfo *end = catalogue_.find(Lowering::End))
+    line(*end, {});
+  return std::move(text_);
+}
+
+void RungMaker::rung() {
+  ++rungs_;
+  filler(Placement::BetweenRungs);
+  block(2);
+  outputs(3);
+}
+
+/// Levels from `first_level` on are free; returns the first that is so afterwards.
+unsigned RungMaker::region(unsigned first_level, unsigned depth) {
+  const InstructionInfo &begin = *catalogue_.find(Lowering::MasterControl);
+  const InstructionInfo *end = catalogue_.find(Lowering::MasterControlReset);
+  const unsigned level = first_level + random_.below(2);
+  if (!end || level >= options_.family->max_levels) {
+    rung();
+    return first_level;
+  }
+  ++rungs_;
+  block(1);
+  if (random_.one_in(4))
+    output();
+  const auto made = operands_.make(begin, true);
+  if (!made) {
+    output();
+    return first_level;
+  }
+  std::vector<std::string> operands = *made;
+  std::string level_text;
+  for (std::size_t k = 0; k < operands.size(); ++k)
+    if (begin.operands[k].type == OperandType::Level) {
+      const std::string::size_type digits = operands[k].find_first_of("0123456789");
+      operands[k] = level_text = operands[k].substr(0, digits) + fmt::format("{}", level);
+    }
+  line(begin, operands);
+  if (random_.one_in(4)) {  // goes on behind MC, under the new master already
+    more(0);
+    output();
+  }
+  unsigned free = level + 1;
+  for (unsigned n = random_.below(4); n > 0; --n) {
+    if (depth > 1 && random_.one_in(3))
+      free = region(free, depth - 1);
+    else
+      rung();
+  }
+  if (first_level != 0 && random_.one_in(3))
+    return free;  // the outer MCR closes this region too
+  line(*end, level_text);
+  return first_level;
+}
+
+void RungMaker::block(unsigned depth) {
+  while (!instruction(catalogue_.pick(random_, Placement::Start))) {
+  }
+  for (unsigned n = random_.below(4); n > 0; --n)
+    more(depth);
+}
+
+/// Something that changes the result of the block before.
+void RungMaker::more(unsigned depth) {
+  filler(Placement::Anywhere);
+  const bool would_be_next_rung = behind_output_ && open_branches_ == 0;
+  switch (random_.below(depth == 0 || would_be_next_rung ? 4 : 6)) {
+  case 0:
+  case 1:
+  case 2:
+    instruction(catalogue_.pick(random_, Placement::Series));
+    return;
+  case 3:
+    instruction(catalogue_.pick(random_, Placement::Parallel));
+    return;
+  default:
+    block(depth - 1);
+    instruction(catalogue_.pick(random_, Placement::JoinBlocks));
+  }
+}
+
+void RungMaker::outputs(unsigned depth) {
+  const InstructionInfo *push = catalogue_.find(Lowering::PushBranch);
+  switch (depth == 0 ? 0 : random_.below(push && open_branches_ + 1 < options_.family->max_branches ? 5 : 4)) {
+  case 0:
+  case 1:
+    return output();
+  case 2:
+    output();
+    return outputs(depth - 1);
+  case 3:
+    more(depth - 1);
+    return outputs(depth - 1);
+  default:
+    line(*push, {});
+    ++open_branches_;
+    outputs(depth - 1);
+    for (unsigned n = random_.below(3); n > 0; --n) {
+      line(*catalogue_.find(Lowering::ReadBranch), {});
+      outputs(depth - 1);
+    }
+    line(*catalogue_.find(Lowering::PopBranch), {});
+    --open_branches_;
+    return outputs(depth - 1);
+  }
+}
+
+void RungMaker::output() {
+  filler(Placement::Anywhere);
+  for (unsigned i = 0; i < kTries; ++i) {
+    const InstructionInfo *info = catalogue_.pick(random_, Placement::Output);
+    if (!info || !operands_.possible(*info))
+      continue;
+    if (info->stops_scan || (may_stop(*info) && random_.one_in(40)))
+      return seldom_output(*info);
+    if (may_stop(*info) && random_.one_in(2) ? instruction_on_fresh_number(*info) : instruction(info))
+      return;
+  }
+}
+
+/// Stops the CPU soon if it is executed: many contacts before it make that seldom.
+void RungMaker::seldom_output(const InstructionInfo &info) {
+  for (unsigned i = 0; i < kGuards; ++i)
+    instruction(catalogue_.pick_plain_series(random_));
+  while (!instruction(&info, false)) {
+  }
+}
+
+/// The source that could make the instruction fail is assigned a good number just before.
+bool RungMaker::instruction_on_fresh_number(const InstructionInfo &info) {
+  auto operands = operands_.make(info, true);
+  std::size_t source = info.operands.size();
+  bool has_block = false;
+  for (std::size_t k = 0; k < info.operands.size(); ++k) {
+    has_block |= info.operands[k].type == OperandType::WordBlock;
+    if (info.operands[k].dir == Direction::In)
+      source = k;
+  }
+  if (!operands || has_block || source == info.operands.size())
+    return instruction(&info);
+  const InstructionInfo *assignment = catalogue_.find_assignment(info.operands[source].type);
+  const auto assigned = assignment ? operands_.make(*assignment, true) : std::nullopt;
+  if (!assigned)
+    return instruction(&info);
+  line(*assignment, {operands_.tame_constant(info.operands[source].type), assigned->back()});
+  (*operands)[source] = assigned->back();
+  line(info, *operands);
+  return true;
+}
+
+void RungMaker::filler(Placement placement) {
+  if (random_.one_in(40))
+    instruction(catalogue_.pick(random_, placement));
+}
+
+bool RungMaker::instruction(const InstructionInfo *info, bool tame) {
+  if (!info || !operands_.possible(*info))
+    return false;
+  const auto operands = operands_.make(*info, tame);
+  if (!operands)
+    return false;
+  line(*info, *operands);
+  return true;
+}
+
+void RungMaker::line(const InstructionInfo &info, llvm::ArrayRef<std::string> operands) {
+  if (info.placement != Placement::Anywhere)
+    behind_output_ = info.placement == Placement::Output;
+  const bool alias = !info.aliases.empty() && random_.one_in(6);
+  text_ += alias ? random_.pick(info.aliases) : info.spelling;
+  for (const std::string &operand : operands)
+    text_ += " " + operand;
+  text_ += "\n";
+}
+
+}  // namespace ladderc::generate
