@@ -152,7 +152,8 @@ std::optional<std::string> build_runner(const std::vector<Candidate> &candidates
 bool writes(const ir::Module &module, const ir::Operation &o, const ir::Extent &wanted, bool blocks) {
   bool hit = false;
   ir::for_each_write(module, o, [&](const ir::Extent &e) {
-    hit |= e.all == blocks && ir::overlap(e, wanted) && (!blocks || e.device == wanted.device);
+    const bool block = e.all || e.last == ir::kEndOfClass;
+    hit |= block == blocks && ir::overlap(e, wanted) && e.device == wanted.device;
   });
   return hit;
 }

@@ -2,7 +2,8 @@
 //
 //     // rung 3, step 9        LD T0 · OUT C0 K3
 //
-// Statements of the list stand on lines of their own above, comments of its lines and notes behind the instructions' text.
+// Statements of the list stand on lines of their own above, comments of its lines and notes behind the instructions' text. A
+// comment of three semicolons belongs to the file (a rule, a heading, the expectation of a test) and stays there.
 #include "emit/frame.h"
 #include "emit/list_text.h"
 #include "emit/names.h"
@@ -18,11 +19,16 @@ public:
     while (next_ < comments_.size() && comments_[next_].instruction < from)
       ++next_;
   }
-  /// Statements above, and the other comments of instructions up to `last`, in the list's order.
-  void take(std::uint32_t last, std::vector<std::string> &statements, std::vector<std::string> &notes) {
+  /// Statements above, and the other comments of instructions up to `last` with their instruction's index, in the list's order.
+  void take(std::uint32_t last, std::vector<std::string> &statements, std::vector<std::pair<std::uint32_t, std::string>> &notes) {
     for (; next_ < comments_.size() && comments_[next_].instruction <= last; ++next_) {
+      if (belongs_to_file(frame_.sources, comments_[next_].range))
+        continue;
       std::string text = comment_text(frame_.sources, comments_[next_].range);
-      (comments_[next_].kind == CommentKind::Statement ? statements : notes).push_back(std::move(text));
+      if (comments_[next_].kind == CommentKind::Statement)
+        statements.push_back(std::move(text));
+      else
+        notes.emplace_back(comments_[next_].instruction, std::move(text));
     }
   }
 
@@ -41,6 +47,24 @@ std::string rung_text(const Frame &frame, const ir::Rung &rung) {
   return text;
 }
 
+/// One comment stands behind the rung's text. Several stand below it, each with the operand that it explains: `X0 start · X1 stop`.
+void write_rung_comment(const Frame &frame, Writer &out, const ir::Rung &rung,
+                        const std::vector<std::pair<std::uint32_t, std::string>> &notes) {
+  std::string text = fmt::format("{:<24} {}", fmt::format("rung {}, step {}", rung.number, rung.step), rung_text(frame, rung));
+  if (notes.size() == 1)
+    text += "    " + notes.front().second;
+  out.comment(text, 25);
+  if (notes.size() < 2)
+    return;
+  std::string explained(25, ' ');
+  for (const auto &[index, note] : notes) {
+    const std::string words = list_text(frame.program, frame.program.list.instructions[index]);
+    const std::size_t blank = words.find(' ');
+    explained += (explained.size() > 25 ? " · " : "") + (blank == std::string::npos ? words : words.substr(blank + 1)) + ": " + note;
+  }
+  out.comment(explained, 25);
+}
+
 }  // namespace
 
 void write_rungs(const Frame &frame, Writer &out, const Chunk &chunk, llvm::StringRef file_name) {
@@ -50,20 +74,19 @@ void write_rungs(const Frame &frame, Writer &out, const Chunk &chunk, llvm::Stri
   CommentFinder comments(frame, rungs[chunk.first].first_instruction);
   for (std::size_t i = chunk.first; i <= chunk.last; ++i) {
     const ir::Rung &rung = rungs[i];
-    std::vector<std::string> statements, notes;
+    if (i > chunk.first)
+      out.blank();
+    std::vector<std::string> statements;
+    std::vector<std::pair<std::uint32_t, std::string>> notes;
     comments.take(rung.first_instruction + rung.instruction_count - 1, statements, notes);
     for (const std::string &statement : statements)
       out.comment(statement);
-    std::string text = fmt::format("{:<24} {}", fmt::format("rung {}, step {}", rung.number, rung.step), rung_text(frame, rung));
-    for (const std::string &note : notes)
-      text += "    " + note;
-    out.comment(text, 25);
+    write_rung_comment(frame, out, rung, notes);
     if (frame.options.line_directives && !rung.operations.empty())
       out.left(fmt::format("#line {} {}", frame.sources.position(rung.range).line, quoted(frame.list().name())));
     emitter.emit(rung);
     if (frame.options.line_directives && !rung.operations.empty())
       out.left(fmt::format("#line {} {}", out.lines() + 2, quoted(file_name)));
-    out.blank();
   }
 }
 

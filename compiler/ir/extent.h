@@ -5,7 +5,10 @@
 
 namespace ladderc::ir {
 
-/// A run of numbers of one device class. `all`: may be anything (a run that crosses the end of its class, a block).
+/// `last` of a block, whose length is known at run time only.
+constexpr std::uint32_t kEndOfClass = ~std::uint32_t{0};
+
+/// A run of numbers of one device class. `all`: may be anything (a run that crosses the end of its class).
 struct Extent {
   DeviceId device = kNoDevice;
   PlaceKind space = PlaceKind::Bit;  ///< Edge and Master are spaces of their own; every device place is in the Bit space

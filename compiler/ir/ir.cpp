@@ -6,6 +6,8 @@ namespace ladderc::ir {
 
 bool is_value(Op op) { return op <= Op::Test; }
 
+bool tells_step(const Operation &o) { return o.info && (o.info->error_code != 0 || o.info->style == CallStyle::System); }
+
 llvm::StringRef name(Op op) {
   static constexpr llvm::StringLiteral kNames[] = {"const",   "load", "not",   "and", "andn",  "or",   "orn", "xor", "rising",
                                                    "falling", "test", "store", "set", "reset", "call", "run"};
@@ -48,9 +50,13 @@ Extent extent(const Module &module, const Place &place) {
   else if (place.kind == PlaceKind::Digits)
     count = 4u * place.digits;
   e.last = place.number + count - 1;
-  // A block's length is known at run time only; a run behind the highest number of the class goes on in another class.
-  const DeviceInfo &device = module.family->devices[place.device];
-  if (place.type == OperandType::WordBlock || (count > 1 && e.last >= std::max(device.points, 1u)))
+  // A block's length is known at run time only, but it does not leave its class.
+  if (place.type == OperandType::WordBlock) {
+    e.last = kEndOfClass;
+    return e;
+  }
+  // A run behind the highest number of the class goes on in another class.
+  if (count > 1 && e.last >= module.points_of(place.device))
     e.all = true;
   return e;
 }

@@ -85,11 +85,15 @@ struct Operation {
   llvm::SmallVector<Place, 0> outputs;
 };
 
+/// True where the runtime is told the step, for its error information.
+bool tells_step(const Operation &operation);
+
 struct Rung {
   std::uint32_t number = 0;           ///< 1-based, as sema counts
   std::uint32_t step = 0;             ///< of its first instruction
   std::uint32_t first_instruction = 0, instruction_count = 0;  ///< in the list
   SourceRange range;                  ///< of its first mnemonic
+  std::string origin;                 ///< of a rung that was read from IR text: the place that stood there, `"press.il":1`
   std::vector<Operation> operations;
   std::uint32_t values = 0;           ///< value numbers 0 to values - 1 are used
 };
@@ -103,13 +107,16 @@ struct Routine {
   std::vector<Rung> rungs;
 };
 
-/// One list as IR. Holds no text of its own: places of the list are ranges in `sources`.
+/// One list as IR. Places of the list are ranges in the compilation's sources.
 struct Module {
   const FamilyInfo *family = nullptr;
+  std::vector<std::uint32_t> points;  ///< allocation of each device class; empty: the family's
   std::string name;                   ///< of the program
   std::vector<Routine> routines;      ///< the first is the main routine
   std::vector<EdgeMemory> edges;      ///< private edge memories by number
   std::uint8_t master_levels = 0;     ///< master control states 0 to master_levels - 1 are used
+
+  std::uint32_t points_of(DeviceId device) const { return points.empty() ? family->devices[device].points : points[device]; }
 };
 
 /// Text form, stable and complete: parse(print(m)) prints the same.

@@ -5,6 +5,7 @@
 #include "ir/ir.h"
 #include "syntax/parser.h"
 
+#include "llvm/ADT/STLExtras.h"
 #include "llvm/ADT/StringExtras.h"
 
 #include <fmt/format.h>
@@ -51,6 +52,8 @@ private:
       }
       return true;
     }
+    if (take("points"))
+      return parse_points();
     if (take("levels"))
       return !line_text_.getAsInteger(10, module_.master_levels) || fail("number of levels expected");
     if (take("routine")) {
@@ -71,12 +74,23 @@ private:
     return parse_operation();
   }
 
+  bool parse_points() {
+    const DeviceId device = find_device(*module_.family, take_word());
+    if (device == kNoDevice)
+      return fail("device class expected");
+    if (module_.points.empty())
+      for (const DeviceInfo &d : module_.family->devices)
+        module_.points.push_back(d.points);
+    return !line_text_.getAsInteger(10, module_.points[device]) || fail("number of points expected");
+  }
+
   bool parse_rung() {
     Rung rung;
     rung.number = static_cast<std::uint32_t>(module_.routines.back().rungs.size() + 1);
     if (take_word().getAsInteger(10, rung.step))
       return fail("step number expected");
     rung.range = SourceRange(0, 0, 0xFF);
+    rung.origin = line_text_.str();
     module_.routines.back().rungs.push_back(std::move(rung));
     return true;
   }
@@ -150,7 +164,7 @@ private:
     if (take("at") && take_word().getAsInteger(10, o.step))
       return fail("step number expected");
     for (const InstructionInfo &info : module_.family->instructions)
-      if (info.form == form && info.inputs.size() == inputs.size() && info.outputs.size() == outputs.size() && !o.info)
+      if (!o.info && info.form == form && fits(info, info.inputs, inputs) && fits(info, info.outputs, outputs))
         o.info = &info;
     if (!o.info)
       return fail("no such instruction form");
@@ -160,6 +174,18 @@ private:
     for (std::size_t i = 0; i < outputs.size(); ++i)
       if (!parse_place(outputs[i], o.outputs.emplace_back(), o.info->operands[o.info->outputs[i]].type))
         return false;
+    return true;
+  }
+
+  /// True where the table entry takes those places at those operands: one form can have entries for words and for timers.
+  bool fits(const InstructionInfo &info, llvm::ArrayRef<std::uint8_t> operands, llvm::ArrayRef<llvm::StringRef> words) const {
+    if (operands.size() != words.size())
+      return false;
+    for (const auto &[index, word] : llvm::zip_equal(operands, words)) {
+      const Operand place = parse_operand(*module_.family, word, {});
+      if (place.kind == OperandKind::Device && !contains(info.operands[index].devices, place.device))
+        return false;
+    }
     return true;
   }
 

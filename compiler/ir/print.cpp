@@ -96,7 +96,7 @@ std::string to_text(const Module &module, const Operation &o) {
     text += " " + list_of(module, o.inputs);
     if (!o.outputs.empty())
       text += " -> " + list_of(module, o.outputs);
-    if (o.info->error_code != 0 || o.info->stops_scan)
+    if (tells_step(o))
       text += fmt::format(" at {}", o.step);
     return text;
   }
@@ -104,6 +104,9 @@ std::string to_text(const Module &module, const Operation &o) {
 }
 
 void print(const Module &module, const SourceSet &sources, llvm::raw_ostream &out) {
+  for (std::size_t id = 0; id < module.points.size(); ++id)
+    if (const DeviceInfo &device = module.family->devices[id]; module.points[id] != device.points)
+      out << "points " << device.prefix << " " << module.points[id] << "\n";
   if (!module.edges.empty()) {
     out << "edges";
     for (std::size_t i = 0; i < module.edges.size(); ++i)
@@ -116,7 +119,9 @@ void print(const Module &module, const SourceSet &sources, llvm::raw_ostream &ou
     out << "routine " << routine.name << " {\n";
     for (const Rung &rung : routine.rungs) {
       out << "  rung " << rung.step;
-      if (rung.range.file < sources.size())
+      if (!rung.origin.empty())
+        out << " " << rung.origin;
+      else if (rung.range.file < sources.size())
         out << " \"" << sources[rung.range.file].name() << "\":" << sources.position(rung.range).line;
       out << "\n";
       for (const Operation &o : rung.operations)
