@@ -15,7 +15,7 @@ int run_check() {
     Compilation c;
     if (!read_common_options(c.options))
       return kExitUsage;
-    if (!c.options.emit.empty()) {
+    if (!c.options.emit.empty() || llvm::StringRef(path).ends_with(".ir")) {
       bool done;
       worst = std::max(worst, compile_list(c, path, done));
       continue;

@@ -115,11 +115,32 @@ bool Compilation::lower_and_optimize() {
     const StageTimer timer(*this, "lower");
     module = lower(program);
   }
+  return optimize();
+}
+
+int Compilation::read_ir(llvm::StringRef path) {
+  auto file = llvm::MemoryBuffer::getFile(path);
+  if (!file)
+    return usage_error(fmt::format("cannot read '{}': {}", path.str(), file.getError().message()));
+  module.family = find_family(options.family);
+  if (!module.family)
+    return usage_error(fmt::format("unknown family '{}'", options.family));
+  std::string problem;
+  if (ir::parse((*file)->getBuffer(), module, problem))
+    problem = ir::verify(module);
+  if (problem.empty())
+    return 0;
+  llvm::errs() << path << ": error: " << problem << "\n";
+  return kExitErrors;
+}
+
+bool Compilation::optimize() {
   opt::Options o;
   o.level = options.level;
   o.bisect = options.bisect;
   for (const std::string &name : options.disabled_passes)
     o.disabled.insert(name);
+  o.only = options.only_passes;
   o.after = [&](const opt::Pass &pass, const ir::Module &m) {
     if (!llvm::is_contained(options.print_after, "all") && !llvm::is_contained(options.print_after, pass.name))
       return;
@@ -182,9 +203,30 @@ void Compilation::print_stats(llvm::raw_ostream &out) const {
   out << fmt::format("{:>10.2f} ms in all\n", total);
 }
 
+/// An .ir file: nothing but its passes can be tried, as there is no list to make C++ of.
+static int compile_ir(Compilation &c, llvm::StringRef path) {
+  if (!c.options.emit.empty() && c.options.emit != "ir")
+    return usage_error("an .ir file can be printed with --emit=ir only");
+  if (const int code = c.read_ir(path))
+    return code;
+  if (!c.optimize())
+    return kExitInternal;
+  if (c.options.emit == "ir")
+    ir::print(c.module, c.sources, llvm::outs());
+  if (c.options.stats)
+    c.print_stats(llvm::errs());
+  return 0;
+}
+
 int compile_list(Compilation &c, llvm::StringRef path, bool &done) {
   done = false;
-  if (!read_common_options(c.options) || !c.check_file(path))
+  if (!read_common_options(c.options))
+    return kExitUsage;
+  if (path.ends_with(".ir")) {
+    done = true;
+    return compile_ir(c, path);
+  }
+  if (!c.check_file(path))
     return kExitUsage;
   if (c.options.emit == "lines" || c.options.emit == "ast") {
     done = true;
@@ -202,6 +244,8 @@ int compile_list(Compilation &c, llvm::StringRef path, bool &done) {
     return kExitInternal;
   if (const auto code = c.print_stage(llvm::outs())) {
     done = true;
+    if (c.options.stats)
+      c.print_stats(llvm::errs());
     return *code;
   }
   return 0;

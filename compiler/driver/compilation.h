@@ -31,6 +31,10 @@ struct Compilation {
   bool report(llvm::raw_ostream &out);
   /// Lowers and optimizes a program without errors. False after an internal fault.
   bool lower_and_optimize();
+  /// Reads IR text instead of a list. Returns 0, or the exit code after messages.
+  int read_ir(llvm::StringRef path);
+  /// Runs the passes over `module`. False after an internal fault.
+  bool optimize();
   emit::EmitOptions emit_options() const;
   std::vector<emit::OutputFile> emit();
   /// `--emit=STAGE`: prints the stage. Returns the exit code, or nothing where no stage was asked for.
@@ -38,7 +42,7 @@ struct Compilation {
   void print_stats(llvm::raw_ostream &out) const;
 };
 
-/// Compiles `path` up to IR. Returns 0, or the exit code after messages; `done` is set where --emit printed a stage.
+/// Compiles `path` up to IR; a file whose name ends in `.ir` is IR already. Returns 0, or the exit code after messages; `done` is set where --emit printed a stage.
 int compile_list(Compilation &compilation, llvm::StringRef path, bool &done);
 
 }  // namespace ladderc::driver

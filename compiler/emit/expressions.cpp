@@ -16,7 +16,6 @@ using ir::ValueId;
 namespace {
 
 constexpr unsigned kMaxExpressionSize = 48;
-constexpr std::size_t kNobody = ~std::size_t{0};
 
 bool is_edge(const Operation &o) { return o.op == Op::Rising || o.op == Op::Falling; }
 bool is_effect(const Operation &o) { return !ir::is_value(o.op) || is_edge(o); }
@@ -25,13 +24,14 @@ bool is_effect(const Operation &o) { return !ir::is_value(o.op) || is_edge(o); }
 
 RungPlan::RungPlan(const ir::Module &module, const ir::Rung &rung, bool group_calls)
     : rung_(rung), inlined_(rung.operations.size(), false), continues_(rung.operations.size(), false), definition_(rung.values, 0),
-      user_(rung.values, kNobody), uses_(rung.values, 0) {
+      uses_(rung.values, 0) {
   count_uses(group_calls);
   decide(module);
 }
 
+/// Walks backwards: what a dead value uses is not used.
 void RungPlan::count_uses(bool group_calls) {
-  for (std::size_t i = 0; i < rung_.operations.size(); ++i) {
+  for (std::size_t i = rung_.operations.size(); i-- > 0;) {
     const Operation &o = rung_.operations[i];
     if (is_effect(o))
       effects_.push_back(i);
@@ -41,19 +41,18 @@ void RungPlan::count_uses(bool group_calls) {
       const Operation &before = rung_.operations[i - 1];
       continues_[i] = before.op == Op::Call && before.a == o.a;
     }
-    if (continues_[i])
+    if (continues_[i] || (!is_effect(o) && uses_[o.result] == 0))
       continue;
     for (const ValueId v : {o.a, o.b})
-      if (v != ir::kNoValue) {
+      if (v != ir::kNoValue)
         ++uses_[v];
-        user_[v] = i;
-      }
   }
+  std::reverse(effects_.begin(), effects_.end());
 }
 
-/// Walks backwards, so that the place where a user is printed is known when its operands are decided.
+/// Walks backwards, so that the places where the users of a value are printed are known when it is decided.
 void RungPlan::decide(const ir::Module &module) {
-  std::vector<std::size_t> printed_at(rung_.operations.size());
+  std::vector<std::size_t> last_use(rung_.values, 0);
   std::vector<unsigned> size(rung_.values, 1);
   for (const Operation &o : rung_.operations)
     if (ir::is_value(o.op))
@@ -62,20 +61,22 @@ void RungPlan::decide(const ir::Module &module) {
           size[o.result] += size[v] > kMaxExpressionSize ? 1 : size[v];
   for (std::size_t i = rung_.operations.size(); i-- > 0;) {
     const Operation &o = rung_.operations[i];
-    printed_at[i] = i;
-    if (!ir::is_value(o.op))
-      continue;
-    if (o.op == Op::Constant) {
-      inlined_[i] = true;
-      continue;
+    std::size_t printed_at = i;
+    if (ir::is_value(o.op)) {
+      const unsigned uses = uses_[o.result];
+      if (uses == 0 && !is_edge(o)) {
+        inlined_[i] = true;  // and never asked for
+        continue;
+      }
+      const bool repeatable = o.op == Op::Constant || o.op == Op::Load;
+      if (uses == 1 || (uses > 1 && repeatable))
+        inlined_[i] = size[o.result] <= kMaxExpressionSize && may_move(module, i, last_use[o.result]);
+      if (inlined_[i])
+        printed_at = last_use[o.result];
     }
-    if (uses_[o.result] != 1 || size[o.result] > kMaxExpressionSize)
-      continue;
-    const std::size_t to = printed_at[user_[o.result]];
-    if (may_move(module, i, to)) {
-      inlined_[i] = true;
-      printed_at[i] = to;
-    }
+    for (const ValueId v : {o.a, o.b})
+      if (v != ir::kNoValue && !continues_[i])
+        last_use[v] = std::max(last_use[v], printed_at);
   }
 }
 

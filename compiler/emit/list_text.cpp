@@ -32,11 +32,22 @@ std::string list_text(const CheckedProgram &program, const Instruction &instruct
   return text;
 }
 
+bool belongs_to_file(const SourceSet &sources, SourceRange range) {
+  return sources[range.file].text().take_front(range.begin).rtrim(" \t").ends_with(";;;");
+}
+
 std::string comment_text(const SourceSet &sources, SourceRange range) {
-  std::string text = sources.text(range).str();
-  for (char &c : text)
-    if (static_cast<unsigned char>(c) < 0x20)
-      c = ' ';
+  std::string text;
+  for (llvm::StringRef rest = sources.text(range); !rest.empty();) {
+    const auto lead = static_cast<unsigned char>(rest.front());
+    const std::size_t size = std::min<std::size_t>(lead < 0x80 ? 1 : lead < 0xE0 ? 2 : lead < 0xF0 ? 3 : 4, rest.size());
+    const llvm::StringRef character = rest.take_front(size);
+    rest = rest.drop_front(size);
+    // U+202A-202E and U+2066-2069: compilers warn of them, and a comment could seem to be code.
+    const bool turns = (character >= "\xE2\x80\xAA" && character <= "\xE2\x80\xAE") || (character >= "\xE2\x81\xA6" && character <= "\xE2\x81\xA9");
+    if (!turns)
+      text += lead < 0x20 || lead == 0x7F ? " " : character.str();
+  }
   return text;
 }
 

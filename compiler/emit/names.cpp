@@ -29,7 +29,8 @@ std::string class_name(llvm::StringRef path) {
     name += llvm::toUpper(word.front());
     name += word.drop_front();
   });
-  return name.empty() || llvm::isDigit(name.front()) ? "Program" + name : name;
+  // Members are named as their devices, with one or two letters.
+  return name.size() <= 2 || llvm::isDigit(name.front()) ? "Program" + name : name;
 }
 
 std::string file_stem(llvm::StringRef path) {

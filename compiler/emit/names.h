@@ -8,7 +8,7 @@
 namespace ladderc::emit {
 
 /// Class name for a list file: `press-line 2.il` becomes PressLine2. Characters that C++ has no use for are dropped; a name that is
-/// left empty or begins with a digit gets `Program` in front.
+/// shorter than three characters (it could be a device's) or begins with a digit gets `Program` in front.
 std::string class_name(llvm::StringRef path);
 /// File stem for the output: press_line_2.
 std::string file_stem(llvm::StringRef path);

@@ -11,6 +11,7 @@ namespace ladderc::emit {
 
 namespace {
 
+std::string counted(std::uint32_t count, const char *what) { return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s"); }
 
 std::string first_and_last(const DeviceInfo &device, std::uint32_t count) {
   const char *format = device.radix == 16 ? "{}{:X}" : device.radix == 8 ? "{}{:o}" : "{}{}";
@@ -133,12 +134,14 @@ void write_parameters(const Frame &frame, Writer &out) {
 }
 
 void write_scan(const Frame &frame, Writer &out) {
-  const Block body = out.block(fmt::format("void {}::scan(Micros now) noexcept", frame.class_name));
+  const Block body = out.block(fmt::format("void {}::scan(ladder::Micros now) noexcept", frame.class_name));
   out.line("if (!sys.begin_scan(now)) return;  // in STOP, or stopped by an error");
   if (frame.single_function()) {
     out.blank();
-    if (!frame.layout.chunks.empty())
+    if (!frame.layout.chunks.empty()) {
       write_rungs(frame, out, frame.layout.chunks.front(), frame.stem + ".cpp");
+      out.blank();
+    }
   } else {
     for (const Chunk &chunk : frame.layout.chunks) {
       const std::string name = frame.chunk_name(chunk);
@@ -156,12 +159,11 @@ void write_scan(const Frame &frame, Writer &out) {
 }
 
 void write_frame_functions(const Frame &frame, Writer &out) {
-  {
-    const Block space = out.block("namespace", "}  // namespace");
-    out.blank();
-    write_parameters(frame, out);
-    out.blank();
-  }
+  out.text("namespace {");
+  out.blank();
+  write_parameters(frame, out);
+  out.blank();
+  out.text("}  // namespace");
   out.blank();
   {
     const Block body = out.block(fmt::format("void {}::power_on() noexcept", frame.class_name));
@@ -171,7 +173,7 @@ void write_frame_functions(const Frame &frame, Writer &out) {
   }
   out.blank();
   {
-    const Block body = out.block(fmt::format("void {}::set_mode(Mode mode) noexcept", frame.class_name));
+    const Block body = out.block(fmt::format("void {}::set_mode(ladder::Mode mode) noexcept", frame.class_name));
     if (frame.program.parameters.initial_values.empty()) {
       out.line("sys.set_mode(mode);");
     } else {
@@ -241,7 +243,7 @@ std::string write_header(const Frame &frame) {
   out.blank();
   out.line("namespace {} {{", frame.options.name_space);
   out.blank();
-  out.line("/// {}: {} rungs, {} steps.", frame.list_name(), frame.program.rungs, frame.program.steps);
+  out.line("/// {}: {}, {}.", frame.list_name(), counted(frame.program.rungs, "rung"), counted(frame.program.steps, "step"));
   out.line("/// One object is one controller: it owns its devices (its sizeof is its RAM) and does no input or output of its own.");
   out.line("/// Not thread-safe: power_on(), set_mode() and scan() belong to one thread.");
   {
@@ -274,9 +276,10 @@ std::string write_source(const Frame &frame, unsigned file) {
   out.line("namespace {} {{", frame.options.name_space);
   out.blank();
   out.line("using namespace ladder;");
-  out.blank();
-  if (file == 0)
+  if (file == 0) {
+    out.blank();
     write_frame_functions(frame, out);
+  }
   if (!frame.single_function())
     for (const Chunk &chunk : frame.layout.chunks) {
       if (chunk.file != file)
@@ -285,8 +288,10 @@ std::string write_source(const Frame &frame, unsigned file) {
       const Block body = out.block(
           fmt::format("{} {}::{}() noexcept", chunk.can_stop ? "bool" : "void", frame.class_name, frame.chunk_name(chunk)));
       write_rungs(frame, out, chunk, name);
-      if (chunk.can_stop)
+      if (chunk.can_stop) {
+        out.blank();
         out.line("return true;");
+      }
     }
   out.blank();
   out.line("}}  // namespace {}", frame.options.name_space);
@@ -307,8 +312,11 @@ std::vector<OutputFile> emit_program(const CheckedProgram &program, const ir::Mo
 std::string emit_rungs(const CheckedProgram &program, const ir::Module &module, const SourceSet &sources, const EmitOptions &options) {
   const Frame frame = make_frame(program, module, sources, options);
   Writer out;
-  for (const Chunk &chunk : frame.layout.chunks)
+  for (const Chunk &chunk : frame.layout.chunks) {
+    if (&chunk != &frame.layout.chunks.front())
+      out.blank();
     write_rungs(frame, out, chunk, "");
+  }
   return out.take();
 }
 

@@ -49,8 +49,12 @@ void RungEmitter::emit_operation(const ir::Rung &rung, const RungPlan &plan, std
   case Op::Store:
     return out_.statement(fmt::format("{} = {};", bit_text(context_, o.place), expression(plan, o.a).text));
   case Op::Set:
+    if (always(plan, o.a))
+      return out_.statement(bit_text(context_, o.place) + " = on;");
     return out_.statement(fmt::format("{} |= {};", bit_text(context_, o.place), expression(plan, o.a).text));
   case Op::Reset:
+    if (always(plan, o.a))
+      return out_.statement(bit_text(context_, o.place) + " = off;");
     return out_.statement(fmt::format("{} &= !{};", bit_text(context_, o.place), operand_of(expression(plan, o.a), Precedence::Not)));
   case Op::Call:
     return emit_call(o);
@@ -107,6 +111,11 @@ void RungEmitter::emit_run(const RungPlan &plan, const Operation &o) {
   if (info.style == CallStyle::Method)
     return out_.statement(fmt::format("{}.{}({}{}, sys);", object, info.function.str(), on, inputs));
   return out_.statement(fmt::format("sys.{}({}, {}{}, {});", info.function.str(), object, on, inputs, o.step));
+}
+
+bool RungEmitter::always(const RungPlan &plan, ir::ValueId v) const {
+  const Operation &o = rung_->operations[plan.definition(v)];
+  return o.op == Op::Constant && o.constant;
 }
 
 Expression RungEmitter::expression(const RungPlan &plan, ir::ValueId v) {

@@ -27,6 +27,7 @@ public:
   explicit Lowerer(const CheckedProgram &program) : program_(program) {
     module_.family = program.family;
     module_.name = program.parameters.program_name;
+    module_.points = program.parameters.points;
     module_.routines.push_back({"main", {}});
     module_.routines.back().rungs.reserve(program.rungs);
   }

@@ -1,6 +1,8 @@
 // The pipeline as data.
 #include "opt/pipeline.h"
 
+#include "llvm/ADT/STLExtras.h"
+
 namespace ladderc::opt {
 
 static constexpr Pass kPipeline[] = {
@@ -13,28 +15,35 @@ static constexpr Pass kPipeline[] = {
 
 llvm::ArrayRef<Pass> passes() { return kPipeline; }
 
-std::string run(ir::Module &module, const Options &options, Context &context) {
-  context.limit = options.bisect;
-  for (const Pass &pass : kPipeline) {
-    if (options.level < pass.level || options.disabled.contains(pass.name))
-      continue;
-    pass.run(module, context);
-    if (options.verify)
-      if (std::string problem = ir::verify(module); !problem.empty())
-        return "after " + pass.name.str() + ": " + problem;
-    if (options.after)
-      options.after(pass, module);
-  }
-  return {};
+const Pass *find_pass(llvm::StringRef name) {
+  const auto *found = llvm::find_if(kPipeline, [&](const Pass &pass) { return pass.name == name; });
+  return found == std::end(kPipeline) ? nullptr : found;
 }
 
-bool run_one(llvm::StringRef name, ir::Module &module, Context &context) {
-  for (const Pass &pass : kPipeline)
-    if (pass.name == name) {
-      pass.run(module, context);
-      return true;
-    }
-  return false;
+/// The passes that the options ask for, in the order in which they run.
+static std::vector<const Pass *> chosen(const Options &options) {
+  std::vector<const Pass *> list;
+  for (const std::string &name : options.only)
+    if (const Pass *pass = find_pass(name))
+      list.push_back(pass);
+  if (options.only.empty())
+    for (const Pass &pass : kPipeline)
+      if (options.level >= pass.level && !options.disabled.contains(pass.name))
+        list.push_back(&pass);
+  return list;
+}
+
+std::string run(ir::Module &module, const Options &options, Context &context) {
+  context.limit = options.bisect;
+  for (const Pass *pass : chosen(options)) {
+    pass->run(module, context);
+    if (options.verify)
+      if (std::string problem = ir::verify(module); !problem.empty())
+        return "after " + pass->name.str() + ": " + problem;
+    if (options.after)
+      options.after(*pass, module);
+  }
+  return {};
 }
 
 }  // namespace ladderc::opt

@@ -44,6 +44,7 @@ llvm::ArrayRef<Pass> passes();
 struct Options {
   unsigned level = 2;
   llvm::StringSet<> disabled;  ///< --no-PASS
+  std::vector<std::string> only;  ///< --pass: these passes in this order, whatever the level; empty: the pipeline
   long long bisect = -1;
   bool verify = true;
   std::function<void(const Pass &, const ir::Module &)> after;  ///< --print-after
@@ -51,8 +52,8 @@ struct Options {
 
 /// Runs the pipeline. Returns what the verifier found (a fault of ours), or an empty text.
 [[nodiscard]] std::string run(ir::Module &module, const Options &options, Context &context);
-/// Runs one pass only, for tests. False where there is no such pass.
-bool run_one(llvm::StringRef name, ir::Module &module, Context &context);
+/// The pass of that name, or null.
+const Pass *find_pass(llvm::StringRef name);
 
 void run_const_contact(ir::Module &, Context &);
 void run_redundant_load(ir::Module &, Context &);
