@@ -20,18 +20,23 @@ bool device_fits(const CheckedProgram &program, const Instruction &instruction, 
     name = name.trim();
     const bool word_bit = name.contains('.');
     const llvm::StringRef prefix = name.take_while(llvm::isAlpha);
-    for (const Operand &operand : program.list.operands_of(instruction)) {
+    const llvm::ArrayRef<Operand> operands = program.list.operands_of(instruction);
+    for (std::size_t i = 0; i < operands.size(); ++i) {
+      const Operand &operand = operands[i];
       if (operand.kind == OperandKind::BitOfWord || word_bit) {
         if (operand.kind == OperandKind::BitOfWord && word_bit)
           return true;
         continue;
       }
+      // X0 stands for every bit that is no bit of a word, the contacts of timers and counters too.
+      if (names.size() == 1 && instruction.info->operands[i].type == OperandType::Bit)
+        return true;
       if (prefix == "K" && operand.kind == OperandKind::Decimal)
         return true;
       if (operand.kind != OperandKind::Device)
         continue;
       const DeviceInfo &actual = program.family->devices[operand.device];
-      // X0 and Y stand for bit devices, D for word devices.
+      // D stands for every word device.
       const DeviceId example = find_device(*program.family, prefix);
       if (prefix == actual.prefix || (example != kNoDevice && actual.kind == program.family->devices[example].kind && names.size() == 1))
         return true;
