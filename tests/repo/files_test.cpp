@@ -70,7 +70,12 @@ TEST(Files, EveryFolderHasAReadme) {
           with_readme.insert(file.path.substr(0, file.path.rfind('/')));
       }
   EXPECT_GT(folders.size(), 15u);
-  folders.erase("runtime/include");  // runtime/README.md is its page
-  for (const std::string &folder : folders)
-    EXPECT_TRUE(with_readme.contains(folder)) << folder << " has no README.md";
+  for (const std::string &folder : folders) {
+    if (with_readme.contains(folder))
+      continue;
+    // A small folder may have its lines on the page above it.
+    const std::size_t slash = folder.rfind('/');
+    const std::string above = repo::read(folder.substr(0, slash) + "/README.md");
+    EXPECT_NE(above.find("`" + folder.substr(slash + 1) + "/"), std::string::npos) << folder << " has no README.md";
+  }
 }
