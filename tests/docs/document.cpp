@@ -47,8 +47,9 @@ std::string replay(const Folder &folder, const Block &block, bool exact) {
     EXPECT_EQ(code, 0) << "line " << block.line << ", before: " << line;
     any = true;
     const std::string output = folder.run(line.substr(2), code);
-    if (!exact)
+    if (!exact) {
       EXPECT_EQ(code, expected) << "line " << block.line << ": " << line << "\n" << output;
+    }
     session += line + "\n" + output;
   }
   EXPECT_TRUE(any) << "line " << block.line << " shows no command";
