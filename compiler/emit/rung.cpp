@@ -32,14 +32,17 @@ void RungEmitter::emit(const ir::Rung &rung) {
     if (plan.inlined(i))
       continue;
     const Operation &o = rung.operations[i];
+    before_statement_(o.step);
     if (o.op != Op::Call || o.a == ir::kNoValue) {
       emit_operation(rung, plan, i);
       continue;
     }
     const Block guard = out_.block(fmt::format("if ({})", expression(plan, o.a).text));
     emit_call(o);
-    while (i + 1 < rung.operations.size() && plan.continues_group(i + 1))
-      emit_call(rung.operations[++i]);
+    while (i + 1 < rung.operations.size() && plan.continues_group(i + 1)) {
+      before_statement_(rung.operations[++i].step);
+      emit_call(rung.operations[i]);
+    }
   }
 }
 

@@ -6,6 +6,8 @@
 
 #include "llvm/ADT/StringSet.h"
 
+#include <functional>
+
 namespace ladderc::emit {
 
 class RungEmitter {
@@ -13,6 +15,8 @@ public:
   RungEmitter(const ir::Module &module, const PlaceContext &context, Writer &out, bool group_calls)
       : module_(module), context_(context), out_(out), group_calls_(group_calls) {}
 
+  /// Called with the step of each statement before it is written: -g puts the list's line there.
+  void set_before_statement(std::function<void(std::uint32_t step)> before) { before_statement_ = std::move(before); }
   /// Call before the first rung of a function: names of lines are unique within one.
   void begin_function() { names_.clear(); }
   void emit(const ir::Rung &rung);
@@ -33,6 +37,7 @@ private:
   const ir::Rung *rung_ = nullptr;
   std::vector<std::string> value_names_;
   llvm::StringSet<> names_;
+  std::function<void(std::uint32_t step)> before_statement_ = [](std::uint32_t) {};
 };
 
 /// True where a rung may stop the scan (its function returns bool).

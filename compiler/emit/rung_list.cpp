@@ -47,6 +47,13 @@ std::string rung_text(const Frame &frame, const ir::Rung &rung) {
   return text;
 }
 
+/// Line of the list on which the instruction with that step stands. Steps ascend in the list.
+unsigned line_of_step(const Frame &frame, std::uint32_t step) {
+  const std::vector<Instruction> &list = frame.program.list.instructions;
+  const auto found = llvm::partition_point(list, [&](const Instruction &i) { return i.step < step; });
+  return found == list.end() ? 1 : frame.sources.position(found->range).line;
+}
+
 /// One comment stands behind the rung's text. Several stand below it, each with the operand that it explains: `X0 start · X1 stop`.
 void write_rung_comment(const Frame &frame, Writer &out, const ir::Rung &rung,
                         const std::vector<std::pair<std::uint32_t, std::string>> &notes) {
@@ -71,6 +78,10 @@ void write_rungs(const Frame &frame, Writer &out, const Chunk &chunk, llvm::Stri
   const std::vector<ir::Rung> &rungs = frame.module.routines.front().rungs;
   RungEmitter emitter(frame.module, frame.places, out, frame.options.level > 0);
   emitter.begin_function();
+  if (frame.options.line_directives)
+    emitter.set_before_statement([&](std::uint32_t step) {
+      out.left(fmt::format("#line {} {}", line_of_step(frame, step), quoted(frame.list().name())));
+    });
   CommentFinder comments(frame, rungs[chunk.first].first_instruction);
   for (std::size_t i = chunk.first; i <= chunk.last; ++i) {
     const ir::Rung &rung = rungs[i];
@@ -82,8 +93,6 @@ void write_rungs(const Frame &frame, Writer &out, const Chunk &chunk, llvm::Stri
     for (const std::string &statement : statements)
       out.comment(statement);
     write_rung_comment(frame, out, rung, notes);
-    if (frame.options.line_directives && !rung.operations.empty())
-      out.left(fmt::format("#line {} {}", frame.sources.position(rung.range).line, quoted(frame.list().name())));
     emitter.emit(rung);
     if (frame.options.line_directives && !rung.operations.empty())
       out.left(fmt::format("#line {} {}", out.lines() + 2, quoted(file_name)));
