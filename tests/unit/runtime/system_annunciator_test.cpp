@@ -158,17 +158,40 @@ TEST(Annunciator, ErrorResetAfterTheListIsEmpty) {
   EXPECT_EQ(p.sm(0), off);
 }
 
-TEST(Annunciator, ClearingOneErrorLeavesTheOther) {
+TEST(Annunciator, ErrorResetLeavesTheLastReportAlone) {
+  Plant p;
+  p.scan();
+  for (unsigned number = 5; number <= 7; ++number)
+    p.sys.annunciator_set(p.F, number);
+  clear_first(p);
+  expect_list(p, {6, 7});
+  EXPECT_EQ(p.sd(0), 9000);
+  EXPECT_EQ(p.sd(16), 7) << "F7 came last";
+}
+
+TEST(Annunciator, ClearingTheLastErrorShowsNone) {
   Plant p;
   p.scan();
   p.sys.scan_time_error(25000);
   p.sys.annunciator_set(p.F, 5);
   EXPECT_EQ(p.sm(1), on) << "left alone by the annunciator";
   clear_first(p);
+  EXPECT_EQ(p.sm(0), off);
+  EXPECT_EQ(p.sm(1), off);
+  EXPECT_EQ(p.sd(0), 0);
+  EXPECT_EQ(p.sd(81), 1 << 4) << "the scan time error is not cleared";
+}
+
+TEST(Annunciator, ClearingTheEarlierErrorChangesNothingElse) {
+  Plant p;
+  p.scan();
+  p.sys.annunciator_set(p.F, 5);
+  p.sys.scan_time_error(25000);
+  clear_first(p);
   EXPECT_EQ(p.sm(0), on);
   EXPECT_EQ(p.sm(1), on);
+  EXPECT_EQ(p.sd(0), 5010);
   EXPECT_EQ(p.sd(81), 1 << 4);
-  EXPECT_EQ(p.sd(0), 0) << "its details are gone with the later error";
 }
 
 TEST(Annunciator, AProgramWithoutAnnunciatorsClearsToo) {

@@ -10,8 +10,8 @@
 //   after STOP has 0 ticks and no scan time.
 // * SD420, and the minimum and maximum scan time, start again at each change to RUN.
 // * A stop error lasts until power_on(); the switch alone does not end it. The devices keep what they held.
-// * SD81 remembers which continuable errors are not cleared: SM0 stays ON while there is one, SM1 while there is one that is no
-//   annunciator. Clearing 9000 with further annunciators in the list keeps it reported, for the one that is now the oldest.
+// * Of several annunciators an error reset takes the oldest; SM0 and SD0-SD26 go on showing the one reported last, and bit 5 of
+//   SD81 stays until none is left.
 // * An annunciator that turns ON again while it is still in the list is reported again but not entered twice.
 // * The calendar survives power_on(), as if from a battery.
 #pragma once
@@ -323,35 +323,35 @@ void System<SmPoints, SdPoints>::scan_time_error(std::uint32_t measured_us) noex
   SD[81] = to_word(pattern_of(SD[81]) | pattern_of(kScanTimeCause));
 }
 
-/// Error reset: SD50 names the error, its last digit does not count.
+/// Error reset: SD50 names the error, its last digit does not count. What is shown goes only with the error that came last.
 template <unsigned SmPoints, unsigned SdPoints> template <class F> void System<SmPoints, SdPoints>::clear_errors(F &f) noexcept {
   const unsigned group = pattern_of(SD[50]) / 10;
   std::uint32_t causes = pattern_of(SD[81]);
+  bool shown = error_ / 10U == group;
   if (group == kAnnunciatorError / 10) {
     auto list = annunciators();
+    const unsigned oldest = list.oldest();
     if (list.count() > 0)
-      annunciator_reset(f, list.oldest());
-    if (list.count() > 0) {
-      if (error_ == kAnnunciatorError)
-        SD[16] = to_word(list.oldest());
-      return;
-    }
-    causes &= ~pattern_of(kAnnunciatorCause);
+      annunciator_reset(f, oldest);
+    if (list.count() > 0)
+      shown = shown && pattern_of(SD[16]) == oldest;
+    else
+      causes &= ~pattern_of(kAnnunciatorCause);
   } else if (group == kScanTimeError / 10) {
     causes &= ~pattern_of(kScanTimeCause);
   } else {
     return;
   }
   SD[81] = to_word(causes);
-  SM[0] = bit(causes != 0);
-  SM[1] = bit((causes & ~pattern_of(kAnnunciatorCause)) != 0);
-  if (error_ / 10U == group) {
-    ErrorReport<Words<SdPoints>>(SD).clear();
-    SM[5] = off;
-    SM[16] = off;
-    error_ = 0;
-    error_step_ = 0;
-  }
+  if (!shown)
+    return;
+  ErrorReport<Words<SdPoints>>(SD).clear();
+  SM[0] = off;
+  SM[1] = off;
+  SM[5] = off;
+  SM[16] = off;
+  error_ = 0;
+  error_step_ = 0;
 }
 
 // Annunciators.
