@@ -2,6 +2,7 @@
 #include "driver/options.h"
 #include "opt/pipeline.h"
 
+#include "llvm/ADT/ArrayRef.h"
 #include "llvm/Support/InitLLVM.h"
 #include "llvm/Support/raw_ostream.h"
 
@@ -53,8 +54,8 @@ int main(int argc, char **argv) {
   const llvm::InitLLVM init(argc, argv);
   g_argv0 = argv[0];
   const std::vector<std::string> arguments = with_pass_switches(argc, argv);
-  std::vector<const char *> pointers;
-  for (const std::string &argument : arguments)
+  std::vector<const char *> pointers = {"ladderc"};  // not argv[0]: messages do not depend on the path
+  for (const std::string &argument : llvm::ArrayRef(arguments).drop_front())
     pointers.push_back(argument.c_str());
   llvm::cl::SetVersionPrinter([](llvm::raw_ostream &out) { out << "ladderc 0.1.0\n"; });
   if (!llvm::cl::ParseCommandLineOptions(static_cast<int>(pointers.size()), pointers.data(), kOverview, &llvm::errs()))

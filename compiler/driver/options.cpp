@@ -4,6 +4,7 @@
 #include "opt/pipeline.h"
 #include "tables/tables.h"
 
+#include "llvm/ADT/StringExtras.h"
 #include "llvm/Support/raw_ostream.h"
 
 #include <fmt/format.h>
@@ -88,6 +89,15 @@ bool read_warnings(DiagOptions &diag) {
   return true;
 }
 
+/// NAME or NAME::NAME, as C++ takes it in `namespace NAME {`.
+bool is_namespace(llvm::StringRef name) {
+  llvm::SmallVector<llvm::StringRef> parts;
+  name.split(parts, "::");
+  return llvm::all_of(parts, [](llvm::StringRef part) {
+    return !part.empty() && !llvm::isDigit(part.front()) && llvm::all_of(part, [](char c) { return llvm::isAlnum(c) || c == '_'; });
+  });
+}
+
 }  // namespace
 
 int usage_error(llvm::StringRef text) {
@@ -115,11 +125,19 @@ bool read_common_options(CommonOptions &o) {
   auto one_of = [](llvm::StringRef option, llvm::StringRef value, std::initializer_list<llvm::StringRef> values) {
     if (llvm::is_contained(values, value))
       return true;
-    usage_error(fmt::format("--{}={}: expected one of {}", option.str(), value.str(), fmt::join(std::vector<std::string>(values.begin(), values.end()), ", ")));
+    std::string known;
+    for (llvm::StringRef v : values)
+      if (!v.empty())
+        known += (known.empty() ? "" : ", ") + v.str();
+    usage_error(fmt::format("--{}={}: expected one of {}", option.str(), value.str(), known));
     return false;
   };
   if (o.level > 2) {
     usage_error("-O takes 0, 1 or 2");
+    return false;
+  }
+  if (!is_namespace(o.name_space)) {
+    usage_error(fmt::format("--namespace={}: expected a C++ name, or several joined by '::'", o.name_space));
     return false;
   }
   for (const std::vector<std::string> *names : {&o.disabled_passes, &o.only_passes, &o.print_after})

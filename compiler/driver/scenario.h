@@ -42,6 +42,8 @@ struct Scenario {
 struct ScenarioResult {
   bool passed = true;
   std::vector<std::string> messages;   ///< lines for a person
+  /// Values that were not as expected: {"step", "scan", "device", "expected", "got"}, values as in the scenario.
+  nlohmann::ordered_json failures = nlohmann::ordered_json::array();
   void fail(std::string text) {
     passed = false;
     messages.push_back(std::move(text));

@@ -208,6 +208,7 @@ void read_results(const json &results, const std::vector<Candidate> &candidates,
     for (const json &f : r.value("failures", json::array())) {
       const std::size_t step = f.value("step", std::size_t{0});
       const std::string device = f.value("device", "");
+      result.failures.push_back({{"step", step + 1}, {"scan", f.value("scan", 0)}, {"device", device}, {"expected", f["expected"]}, {"got", f["got"]}});
       result.fail(fmt::format("step {}, scan {}: {} is {}, expected {}", step + 1, f.value("scan", 0), device, text_of(f, "got"),
                               text_of(f, "expected")));
       const nlohmann::ordered_json &steps = scenarios[candidates[i].scenario].steps;

@@ -44,6 +44,8 @@ std::string json_report(const std::vector<Scenario> &scenarios, const std::vecto
     entry["passed"] = results[i].passed;
     if (!results[i].passed)
       entry["messages"] = results[i].messages;
+    if (!results[i].failures.empty())
+      entry["failures"] = results[i].failures;
     all.push_back(std::move(entry));
   }
   return all.dump(1) + "\n";

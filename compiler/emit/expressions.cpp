@@ -120,7 +120,7 @@ std::string call_text(const PlaceContext &context, const Operation &operation) {
   for (const ir::Place &p : operation.inputs)
     arguments += (arguments.empty() ? "" : ", ") + input_text(context, p);
   if (info.function.empty())
-    return arguments;
+    return arguments.empty() ? "0" : arguments;
   if (info.style != CallStyle::Value)
     for (const ir::Place &p : operation.outputs)
       if (p.type != OperandType::WordBlock)  // a block stands among the inputs

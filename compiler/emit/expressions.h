@@ -50,7 +50,7 @@ struct Expression {
 /// `text`, in parentheses where it binds looser than `at_least`.
 std::string operand_of(const Expression &expression, Precedence at_least);
 
-/// Text of `ops::f(a, b)` or of the place for a nameless function.
+/// Text of `ops::f(a, b)`; for a nameless function the place, and without a place 0.
 std::string call_text(const PlaceContext &context, const ir::Operation &operation);
 
 }  // namespace ladderc::emit

@@ -315,7 +315,7 @@ std::string emit_rungs(const CheckedProgram &program, const ir::Module &module, 
   for (const Chunk &chunk : frame.layout.chunks) {
     if (&chunk != &frame.layout.chunks.front())
       out.blank();
-    write_rungs(frame, out, chunk, "");
+    write_rungs(frame, out, chunk, frame.stem + ".cpp");
   }
   return out.take();
 }

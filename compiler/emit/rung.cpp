@@ -50,6 +50,8 @@ void RungEmitter::emit_operation(const ir::Rung &rung, const RungPlan &plan, std
   const Operation &o = rung.operations[index];
   switch (o.op) {
   case Op::Store:
+    if (const Operation *change = inversion_of(plan, o))
+      return out_.statement(fmt::format("{} ^= {};", bit_text(context_, o.place), expression(plan, change->b).text));
     return out_.statement(fmt::format("{} = {};", bit_text(context_, o.place), expression(plan, o.a).text));
   case Op::Set:
     if (always(plan, o.a))
@@ -114,6 +116,16 @@ void RungEmitter::emit_run(const RungPlan &plan, const Operation &o) {
   if (info.style == CallStyle::Method)
     return out_.statement(fmt::format("{}.{}({}{}, sys);", object, info.function.str(), on, inputs));
   return out_.statement(fmt::format("sys.{}({}, {}{}, {});", info.function.str(), object, on, inputs, o.step));
+}
+
+/// The exclusive or of `store P, (load P) ^ x`, which is written `P ^= x`; else null.
+const Operation *RungEmitter::inversion_of(const RungPlan &plan, const Operation &store) const {
+  const std::size_t index = plan.definition(store.a);
+  const Operation &change = rung_->operations[index];
+  if (change.op != Op::Xor || !plan.inlined(index) || !plan.inlined(plan.definition(change.a)))
+    return nullptr;
+  const Operation &before = rung_->operations[plan.definition(change.a)];
+  return before.op == Op::Load && before.place == store.place ? &change : nullptr;
 }
 
 bool RungEmitter::always(const RungPlan &plan, ir::ValueId v) const {

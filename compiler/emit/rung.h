@@ -25,6 +25,7 @@ private:
   void emit_operation(const ir::Rung &rung, const RungPlan &plan, std::size_t index);
   void emit_call(const ir::Operation &o);
   void emit_run(const RungPlan &plan, const ir::Operation &o);
+  const ir::Operation *inversion_of(const RungPlan &plan, const ir::Operation &store) const;
   bool always(const RungPlan &plan, ir::ValueId v) const;
   Expression expression(const RungPlan &plan, ir::ValueId v);
   Expression operation_text(const RungPlan &plan, const ir::Operation &o);

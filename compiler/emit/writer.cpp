@@ -26,6 +26,24 @@ std::size_t break_place(llvm::StringRef text, std::size_t limit) {
   return llvm::StringRef::npos;
 }
 
+/// Where a comment is broken so that at most `room` columns stand on the line: behind the last ` · ` that lies behind `from`, else at the last
+/// blank there, else at the first blank behind.
+std::size_t comment_break(llvm::StringRef text, unsigned room, std::size_t from) {
+  static constexpr llvm::StringLiteral kJoint = " \xC2\xB7 ";
+  for (const llvm::StringRef mark : {llvm::StringRef(kJoint), llvm::StringRef(" ")}) {
+    std::size_t last = 0;
+    for (std::size_t at = text.find(mark, from); at != llvm::StringRef::npos; at = text.find(mark, at + 1)) {
+      const std::size_t end = at + mark.rtrim().size();
+      if (width(text.take_front(end)) > room)
+        break;
+      last = end;
+    }
+    if (last > 0)
+      return last;
+  }
+  return std::min(text.find(' ', from + 1), text.size());
+}
+
 }  // namespace
 
 void Writer::raw(unsigned indent, llvm::StringRef line) {
@@ -59,16 +77,8 @@ void Writer::statement(llvm::StringRef statement) {
 void Writer::comment(llvm::StringRef text, unsigned hang) {
   bool first = true;
   do {
-    std::size_t taken = text.size();
     const unsigned room = kColumns - indent_ - 3 - (first ? 0 : hang);
-    if (width(text) > room) {
-      taken = 0;
-      for (std::size_t blank = text.find(' '); blank != llvm::StringRef::npos && width(text.take_front(blank)) <= room;
-           blank = text.find(' ', blank + 1))
-        taken = blank;
-      if (taken == 0 || (first && taken < hang))
-        taken = std::min(text.find(' ', first ? hang : 0), text.size());
-    }
+    const std::size_t taken = width(text) <= room ? text.size() : comment_break(text, room, first ? hang : 0);
     std::string line = "// " + std::string(first ? 0 : hang, ' ') + text.take_front(taken).rtrim().str();
     // A backslash at the end would join the next line to the comment.
     if (line.back() == '\\')

@@ -126,7 +126,7 @@ enum class Lowering : std::uint8_t {
 /// How the generated code calls `function`.
 enum class CallStyle : std::uint8_t {
   None,
-  Value,    ///< `out = f(inputs)`; an empty function name is the plain assignment
+  Value,    ///< `out = f(inputs)`; an empty function name is the plain assignment, of 0 where there is no input
   Status,   ///< `f(inputs, outputs)` returns false for an operation error, with nothing written
   Void,     ///< `f(inputs, outputs)` cannot fail
   Method,   ///< `operand0.f(other inputs)`: timers and counters

@@ -109,7 +109,7 @@ def RST_timer : ResetForm<"RST", "RST", StyleMethod, "reset", TimerOperand<AllTi
 def RST_counter : ResetForm<"RST", "RST", StyleMethod, "reset", CounterOperand<AllCounters>, 4, ResetTimes> {
   let example = Rung<"LD X0\nOUT C0 K10\nLD C0\nOUT Y10\nLD X1\nRST C0">.text;
 }
-def RST_word : ResetForm<"RST", "RST", StyleValue, "zero", ResetWord, 2,
+def RST_word : ResetForm<"RST", "RST", StyleValue, "", ResetWord, 2,
                          [Time<200, "not executed", "D">, Time<300, "executed", "D">]> {
   let example = Rung<"LD X0\nRST D8">.text;
 }

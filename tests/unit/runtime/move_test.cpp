@@ -126,7 +126,3 @@ TEST(Fill, WordsAndDigits) {
   ASSERT_TRUE(fmov(0x1235, Y.digit_block<1>(4), 4));
   EXPECT_EQ(Y.dword<8>(0), 0x55550);
 }
-
-TEST(Zero, IsTheValueOfAClearedWord) {
-  EXPECT_EQ(zero(), 0);
-}

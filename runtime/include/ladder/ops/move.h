@@ -7,11 +7,6 @@
 
 namespace ladder::ops {
 
-/// The value of a cleared word.
-constexpr word zero() noexcept {
-  return 0;
-}
-
 /// Copies n words. Overlapping blocks come out as if the source had been read as a whole first. False, and nothing written, when
 /// either block ends before n words; n <= 0 is no operation.
 template <class Source, class Destination>
