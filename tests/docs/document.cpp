@@ -124,7 +124,8 @@ void Folder::write(const std::string &name, std::string_view text) const {
 std::string Folder::run(const std::string &command, int &exit_code) const {
   write("command.sh", command + "\n");
   const std::string shell = "cd '" + path_ + "' && PATH=\"" + fs::path(LADDERC_EXECUTABLE).parent_path().string() +
-                            ":$PATH\" XDG_CACHE_HOME='" LADDERC_BINARY_DIR "/cache' sh command.sh 2>&1";
+                            ":$PATH\" XDG_CACHE_HOME='" LADDERC_BINARY_DIR "/cache' LADDER_INCLUDE='" LADDERC_SOURCE_DIR
+                            "/runtime/include' sh command.sh 2>&1";
   std::FILE *stream = popen(shell.c_str(), "r");
   EXPECT_NE(stream, nullptr);
   std::string text;
