@@ -45,12 +45,17 @@ Layout make_layout(const ir::Module &module, const Parameters &parameters, const
       for (const ir::Place &p : o.outputs)
         reach(module, parameters, p, layout.count);
     }
+  std::size_t total = 0;
+  for (const ir::Rung &rung : rungs)
+    total += rung.operations.size();
+  // Files of equal size: compilers that run side by side end together.
+  const std::size_t per_file = total / (total / limits.operations_per_file + 1) + 1;
   std::size_t operations = 0, in_file = 0;
   for (std::size_t i = 0; i < rungs.size(); ++i) {
     const bool full = !layout.chunks.empty() && (i - layout.chunks.back().first >= limits.rungs_per_function ||
                                                  operations + rungs[i].operations.size() > limits.operations_per_function);
     if (layout.chunks.empty() || full) {
-      if (in_file > limits.operations_per_file) {
+      if (in_file >= per_file) {
         ++layout.files;
         in_file = 0;
       }

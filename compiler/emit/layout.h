@@ -16,7 +16,7 @@ namespace ladderc::emit {
 struct LayoutLimits {
   unsigned rungs_per_function = 64;
   unsigned operations_per_function = 2000;
-  unsigned operations_per_file = 12000;
+  unsigned operations_per_file = 6000;
 };
 
 /// A function: rungs [first, last] by index in the routine.
