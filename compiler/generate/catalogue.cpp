@@ -28,7 +28,7 @@ unsigned kind_of(const InstructionInfo &info) {
 
 unsigned weight_of(const InstructionInfo &info) {
   if (info.stops_scan)
-    return 1;
+    return 6;
   switch (info.lowering) {
   case Lowering::Contact:
     return info.edge == Execution::EveryScan ? 120 : 25;
@@ -58,7 +58,8 @@ void Catalogue::add(const InstructionInfo &info) {
   first_.emplace(info.lowering, &info);
   if (info.placement == Placement::Series && info.lowering == Lowering::Contact && info.edge == Execution::EveryScan)
     plain_series_.push_back(&info);
-  if (info.style == CallStyle::Value && info.function.empty() && info.execution == Execution::WhileOn)
+  if (info.style == CallStyle::Value && info.function.empty() && info.inputs.size() == 1 && info.operands.size() == 2 &&
+      info.execution == Execution::WhileOn)
     assignments_.push_back(&info);
   if (info.lowering == Lowering::MasterControl)
     return;

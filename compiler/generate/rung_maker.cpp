@@ -17,7 +17,7 @@ namespace ladderc::generate {
 namespace {
 
 constexpr unsigned kTries = 60;
-constexpr unsigned kGuards = 5;  ///< contacts in series before an instruction that would soon stop the CPU
+constexpr unsigned kGuards = 4;  ///< contacts in series before an instruction that would soon stop the CPU
 
 }  // namespace
 
@@ -143,7 +143,7 @@ void RungMaker::output() {
     const InstructionInfo *info = catalogue_.pick(random_, Placement::Output);
     if (!info || !operands_.possible(*info))
       continue;
-    if (info->stops_scan || (may_stop(*info) && random_.one_in(40)))
+    if (info->stops_scan || (may_stop(*info) && random_.one_in(6)))
       return seldom_output(*info);
     if (may_stop(*info) && random_.one_in(2) ? instruction_on_fresh_number(*info) : instruction(info))
       return;

@@ -1,0 +1,105 @@
+// Reading and writing the images of a program object.
+#include "compiled_side.h"
+
+#include "ladder/counter.h"
+#include "ladder/timer.h"
+
+#include <cstring>
+#include <new>
+
+namespace ladderc::differential {
+
+namespace {
+
+template <class T> T load(const unsigned char *at) {
+  T value;
+  std::memcpy(&value, at, sizeof value);
+  return value;
+}
+
+}  // namespace
+
+CompiledSide::CompiledSide(const ladder::ProgramSymbols &symbols, const FamilyInfo &family)
+    : symbols_(symbols), memory_(::operator new (symbols.size, std::align_val_t{symbols.alignment}), Release{symbols.alignment}),
+      symbol_(family.devices.size()), arrays_(family.devices.size()) {
+  for (std::uint32_t i = 0; i < symbols.device_count; ++i) {
+    const ladder::DeviceSymbol &s = symbols.devices[i];
+    const DeviceId id = find_device(family, s.prefix);
+    symbol_[id] = &s;
+    const bool parts = s.shape == ladder::Shape::Timers || s.shape == ladder::Shape::Counters;
+    if (parts || s.shape == ladder::Shape::Words)
+      arrays_[id].value.resize(s.points);
+    if (parts || s.shape != ladder::Shape::Words)
+      arrays_[id].on.resize(s.points);
+    if (parts)
+      arrays_[id].coil.resize(s.points);
+  }
+  symbols_.construct(object());
+}
+
+void CompiledSide::power_on() {
+  for (DeviceArray &a : arrays_) {
+    a.on.assign(a.on.size(), 0);
+    a.coil.assign(a.coil.size(), 0);
+    a.value.assign(a.value.size(), 0);
+  }
+  symbols_.power_on(object());
+}
+
+void CompiledSide::poke_bit(DeviceId id, std::size_t number, bool on) {
+  const ladder::DeviceSymbol &s = *symbol_[id];
+  arrays_[id].on[number] = on;
+  if (number >= s.count)
+    return;
+  if (s.shape == ladder::Shape::Bits) {
+    object()[s.offset + number] = on;
+    return;
+  }
+  unsigned char *cell = object() + s.offset + number / 32 * 4;
+  const auto before = load<std::uint32_t>(cell);
+  const std::uint32_t after = (before & ~(1u << number % 32)) | std::uint32_t(on) << number % 32;
+  std::memcpy(cell, &after, sizeof after);
+}
+
+void CompiledSide::poke_word(DeviceId id, std::size_t number, std::uint16_t value) {
+  arrays_[id].value[number] = value;
+  if (number < symbol_[id]->count)
+    std::memcpy(object() + symbol_[id]->offset + number * sizeof value, &value, sizeof value);
+}
+
+const DeviceArray &CompiledSide::read(DeviceId id) {
+  DeviceArray &a = arrays_[id];
+  if (!symbol_[id])
+    return a;
+  const ladder::DeviceSymbol &s = *symbol_[id];
+  const unsigned char *image = object() + s.offset;
+  for (std::uint32_t n = 0; n < s.count && n < s.points; ++n)
+    switch (s.shape) {
+    case ladder::Shape::Bits:
+      a.on[n] = image[n];
+      break;
+    case ladder::Shape::PackedBits:
+      a.on[n] = load<std::uint32_t>(image + n / 32 * 4) >> n % 32 & 1;
+      break;
+    case ladder::Shape::Words:
+      a.value[n] = load<std::uint16_t>(image + n * 2);
+      break;
+    case ladder::Shape::Timers: {
+      const auto t = load<ladder::Timer>(image + n * sizeof(ladder::Timer));
+      a.value[n] = static_cast<std::uint16_t>(t.value);
+      a.on[n] = t.contact.value();
+      a.coil[n] = t.coil.value();
+      break;
+    }
+    case ladder::Shape::Counters: {
+      const auto c = load<ladder::Counter>(image + n * sizeof(ladder::Counter));
+      a.value[n] = static_cast<std::uint16_t>(c.value);
+      a.on[n] = c.contact.value();
+      a.coil[n] = c.coil.value();
+      break;
+    }
+    }
+  return a;
+}
+
+}  // namespace ladderc::differential

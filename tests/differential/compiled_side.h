@@ -1,0 +1,39 @@
+// One compiled program and its devices, read straight from its memory by the layout that its symbol table tells.
+#pragma once
+
+#include "ladder/symbols.h"
+#include "memory.h"
+
+#include <memory>
+#include <vector>
+
+namespace ladderc::differential {
+
+class CompiledSide {
+public:
+  CompiledSide(const ladder::ProgramSymbols &symbols, const FamilyInfo &family);
+
+  void power_on();
+  void set_run(bool run) { symbols_.set_mode(object(), run ? ladder::Mode::Run : ladder::Mode::Stop); }
+  void scan(std::uint32_t now_us) { symbols_.scan(object(), now_us); }
+  ladder::Status status() const { return symbols_.status(object()); }
+
+  void poke_bit(DeviceId id, std::size_t number, bool on);
+  void poke_word(DeviceId id, std::size_t number, std::uint16_t value);
+  /// All points of the class, in the interpreter's form. Points that the program has no memory for are as the host wrote them.
+  const DeviceArray &read(DeviceId id);
+
+private:
+  struct Release {
+    std::size_t alignment;
+    void operator()(void *memory) const { ::operator delete (memory, std::align_val_t{alignment}); }
+  };
+  unsigned char *object() const { return static_cast<unsigned char *>(memory_.get()); }
+
+  const ladder::ProgramSymbols &symbols_;
+  std::unique_ptr<void, Release> memory_;
+  std::vector<const ladder::DeviceSymbol *> symbol_;  ///< by device id; null: no memory
+  std::vector<DeviceArray> arrays_;
+};
+
+}  // namespace ladderc::differential

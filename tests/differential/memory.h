@@ -1,0 +1,47 @@
+// The interpreter's device memory: plain arrays, and the order in which classes lie one behind the other.
+#pragma once
+
+#include "sema/parameters.h"
+#include "syntax/ast.h"
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+namespace ladderc::differential {
+
+/// One device class. Bits use `on`, words `value`, timers and counters all three (`on` is the contact).
+struct DeviceArray {
+  std::vector<std::uint8_t> on, coil;
+  std::vector<std::uint16_t> value;
+};
+
+class Memory {
+public:
+  Memory(const FamilyInfo &family, const Parameters &parameters);
+
+  void clear();
+  DeviceArray &array(DeviceId id) { return arrays_[id]; }
+  const DeviceArray &array(DeviceId id) const { return arrays_[id]; }
+  DeviceArray &array(std::string_view prefix);
+
+  /// `distance` places behind the device, in the next class of the memory where the end of one is crossed.
+  std::uint8_t &bit(DeviceId id, std::uint64_t number, unsigned distance = 0);
+  std::uint16_t &word(DeviceId id, std::uint64_t number, unsigned distance = 0);
+
+  /// A contact or a bit of a word.
+  bool read_bit(const Operand &operand);
+  void write_bit(const Operand &operand, bool on);
+
+  /// The number in `words` words (1 or 2), signed.
+  std::int64_t read(const Operand &operand, unsigned words);
+  /// The low words of `pattern`, or as many digits as the operand has.
+  void write(const Operand &operand, std::uint64_t pattern, unsigned words);
+
+private:
+  const FamilyInfo &family_;
+  std::vector<DeviceArray> arrays_;
+  std::vector<DeviceId> next_;  ///< the class behind each one
+};
+
+}  // namespace ladderc::differential
