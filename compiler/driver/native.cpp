@@ -24,7 +24,7 @@ std::string main_text(const std::vector<emit::OutputFile> &files, const std::str
 std::string build_native(Compilation &c, llvm::StringRef executable, bool verbose) {
   std::vector<emit::OutputFile> files = c.emit();
   const std::string list = c.sources[c.program.list.file].name().str();
-  files.push_back({"main.cpp", main_text(files, c.emit_options().name_space, emit::class_name(list))});
+  files.push_back({emit::file_stem(list) + ".main.cpp", main_text(files, c.emit_options().name_space, emit::class_name(list))});
 
   const toolchain::Locations locations = toolchain::find_runtime(g_argv0);
   std::vector<std::string> parts = {fmt::format("O{} g{}", c.options.level, c.options.debug)};
