@@ -265,7 +265,7 @@ bool is_known_encoding(llvm::StringRef encoding) {
   return !encoding.empty() && Converter(encoding.str().c_str()).is_open();
 }
 
-Decoded decode(llvm::StringRef bytes, llvm::StringRef encoding) {
+static Decoded decode_all(llvm::StringRef bytes, llvm::StringRef encoding) {
   if (encoding != "auto")
     return decode_as(bytes, encoding);
   if (bytes.consume_front("\xEF\xBB\xBF"))
@@ -285,6 +285,14 @@ Decoded decode(llvm::StringRef bytes, llvm::StringRef encoding) {
   if (valid_prefix(bytes) == bytes.size())
     return from_utf8(bytes);
   return from_unknown_code_page(bytes);
+}
+
+Decoded decode(llvm::StringRef bytes, llvm::StringRef encoding) {
+  Decoded decoded = decode_all(bytes, encoding);
+  // DOS editors end or fill files with Ctrl-Z.
+  while (!decoded.text.empty() && decoded.text.back() == '\x1A')
+    decoded.text.pop_back();
+  return decoded;
 }
 
 }  // namespace ladderc

@@ -27,6 +27,13 @@ TEST(Decode, PlainAsciiIsUtf8) {
   EXPECT_FALSE(decoded.damaged);
 }
 
+TEST(Decode, EndMarksOfDosGoAway) {
+  EXPECT_EQ(decode("END\r\n\x1A").text, "END\r\n");
+  EXPECT_EQ(decode("END\r\n\x1A\x1A\x1A").text, "END\r\n");
+  EXPECT_EQ(decode("LD\x1AX0\n").text, "LD\x1AX0\n");
+  EXPECT_EQ(decode("\x1A").text, "");
+}
+
 TEST(Decode, ByteOrderMarksDecideAndGoAway) {
   EXPECT_EQ(decode("\xEF\xBB\xBFLD ; 手动").text, "LD ; 手动");
   const Decoded little = decode("\xFF\xFE" + utf16(u"LD ; 手动 \U0001F600", true));
