@@ -23,14 +23,14 @@ static cl::opt<bool> kVerbose("verbose", cl::desc("Name the scenarios that pass 
 
 namespace {
 
-/// Folders stand for the .json files in them.
+/// Folders stand for the .json files in them; NAME-parameters.json beside NAME.il are the parameters of a list.
 std::vector<std::string> files_of(const std::string &path) {
   if (!llvm::sys::fs::is_directory(path))
     return {path};
   std::vector<std::string> files;
   std::error_code ec;
   for (llvm::sys::fs::recursive_directory_iterator it(path, ec), end; it != end && !ec; it.increment(ec))
-    if (llvm::sys::path::extension(it->path()) == ".json")
+    if (llvm::sys::path::extension(it->path()) == ".json" && !llvm::sys::path::stem(it->path()).ends_with("-parameters"))
       files.push_back(it->path());
   llvm::sort(files);
   return files;
