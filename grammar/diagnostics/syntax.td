@@ -5,7 +5,7 @@ def UnknownMnemonic : Error<"unknown-mnemonic", "'{word}' is no instruction of {
     "The words behind it were taken for its operands and not looked at. 'ladderc instructions --family F' lists what exists.";
   let wrong = "LD X0\nOUTT Y0\nEND\n";
   let right = "LD X0\nOUT Y0\nEND\n";
-  let references = [Ref<"melsec-qs", "9.1.6", "4000">, Ref<"melsec-qs", "8.1", "4002">];
+  let references = [Ref<"melsec-qs", "9.1.6", "4000">];
 }
 def NearestMnemonic : Note<"nearest-mnemonic", "the nearest one is '{name}'">;
 def OtherFamily : Note<"other-family", "{family} has it">;
