@@ -75,6 +75,7 @@ llvm::StringRef sign(std::uint32_t c) {
     return ">=";
   case 0x2260:
     return "<>";
+  case 0x2013:  // word processors make it of a minus
   case 0x2212:
     return "-";
   default:

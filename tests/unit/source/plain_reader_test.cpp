@@ -39,8 +39,8 @@ TEST(PlainReader, FullWidthCharacters) {
 }
 
 TEST(PlainReader, LowerCaseAndMathematicalSigns) {
-  EXPECT_EQ(read_text("ld≤ k−5 d0\nand≥ d0 d1\nor≠ d0 d1\nld≦ d0 d1\nout y0\n").text,
-            "1 LD<= K-5 D0\n2 AND>= D0 D1\n3 OR<> D0 D1\n4 LD<= D0 D1\n5 OUT Y0\n");
+  EXPECT_EQ(read_text("ld≤ k−5 d0\nand≥ d0 d1\nor≠ d0 k–1\nld≦ d0 d1\nout y0\n").text,
+            "1 LD<= K-5 D0\n2 AND>= D0 D1\n3 OR<> D0 K-1\n4 LD<= D0 D1\n5 OUT Y0\n");
 }
 
 TEST(PlainReader, RangesAreThoseOfTheFile) {
