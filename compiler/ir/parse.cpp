@@ -16,6 +16,8 @@ namespace ladderc::ir {
 
 namespace {
 
+constexpr ValueId kMaxValues = 1 << 20;  // no rung has as many; memory is allocated by the largest number
+
 class Parser {
 public:
   Parser(Module &module, std::string &error) : module_(module), error_(error) {}
@@ -121,6 +123,8 @@ private:
     switch (o.op) {
     case Op::Constant:
       o.constant = line_text_ == "1";
+      if (!o.constant && line_text_ != "0")
+        return fail("0 or 1 expected");
       line_text_ = {};
       return true;
     case Op::Load:
@@ -234,7 +238,7 @@ private:
       return false;
     const llvm::StringRef digits = line_text_.drop_front().take_while(llvm::isDigit);
     line_text_ = line_text_.drop_front(1 + digits.size()).ltrim();
-    return !digits.getAsInteger(10, value);
+    return !digits.getAsInteger(10, value) && value < kMaxValues;
   }
 
   bool take_list(llvm::SmallVectorImpl<llvm::StringRef> &items) {

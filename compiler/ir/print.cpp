@@ -33,7 +33,10 @@ std::string list_of(const Module &module, llvm::ArrayRef<Place> places) {
   return text + ")";
 }
 
-std::string callee(const InstructionInfo &info) {
+std::string callee(const InstructionInfo *entry) {
+  if (!entry)
+    return "?";  // broken IR, in a message of the verifier
+  const InstructionInfo &info = *entry;
   return info.form.contains(' ') ? fmt::format("\"{}\"", info.form.str()) : info.form.str();
 }
 
@@ -52,6 +55,8 @@ std::string to_text(const Module &module, const Place &place) {
   default:
     break;
   }
+  if (place.device >= module.family->devices.size())
+    return "?";  // broken IR, in a message of the verifier
   const DeviceInfo &device = module.family->devices[place.device];
   std::string text = device.prefix.str() + number_text(device, place.number);
   if (place.kind == PlaceKind::WordBit)
@@ -87,10 +92,10 @@ std::string to_text(const Module &module, const Operation &o) {
   case Op::Reset:
     return text + fmt::format(" {} if %{}", to_text(module, o.place), o.a);
   case Op::Test:
-    return text + fmt::format(" {} {}", callee(*o.info), list_of(module, o.inputs));
+    return text + fmt::format(" {} {}", callee(o.info), list_of(module, o.inputs));
   case Op::Call:
   case Op::Run:
-    text += " " + callee(*o.info);
+    text += " " + callee(o.info);
     if (o.a != kNoValue)
       text += fmt::format(" {} %{}", o.op == Op::Run ? "with" : "if", o.a);
     text += " " + list_of(module, o.inputs);

@@ -175,16 +175,23 @@ private:
   }
 
   void simplify_effects() {
-    llvm::erase_if(rung_.operations, [&](Operation &o) {
+    // Definitions are pointers into the rung, so nothing may move before all conditions have been looked at.
+    std::vector<bool> never(rung_.operations.size(), false);
+    for (std::size_t i = 0; i < rung_.operations.size(); ++i) {
+      Operation &o = rung_.operations[i];
       const bool conditional = o.op == Op::Set || o.op == Op::Reset || o.op == Op::Call;
       if (!conditional || o.a == ir::kNoValue)
-        return false;
+        continue;
       if (is_constant(o.a, false))
-        return allowed("never-executed");
-      if (o.op == Op::Call && is_constant(o.a, true) && allowed("always-executed"))
+        never[i] = allowed("never-executed");
+      else if (o.op == Op::Call && is_constant(o.a, true) && allowed("always-executed"))
         o.a = ir::kNoValue;
-      return false;
-    });
+    }
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < never.size(); ++i)
+      if (!never[i] && kept++ != i)
+        rung_.operations[kept - 1] = std::move(rung_.operations[i]);
+    rung_.operations.resize(kept);
   }
 
   ir::Rung &rung_;
