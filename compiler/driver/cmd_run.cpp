@@ -53,10 +53,8 @@ int run_run(llvm::StringRef) {
     return kExitUsage;
   if (c.options.stats)
     c.print_stats(llvm::errs());
-  llvm::outs().flush();
-  std::string error;
-  const int code = toolchain::run(program, program_arguments(), error);
-  return code < 0 ? usage_error(fmt::format("{}: {}", program, error)) : code;
+  // Not a child: whoever stops ladderc stops the program.
+  return usage_error(fmt::format("{}: {}", program, toolchain::become(program, program_arguments())));
 }
 
 }  // namespace ladderc::driver

@@ -3,12 +3,15 @@
 
 #include "llvm/ADT/SmallString.h"
 #include "llvm/ADT/StringExtras.h"
+#include "llvm/Support/Errno.h"
 #include "llvm/Support/FileSystem.h"
 #include "llvm/Support/Path.h"
 #include "llvm/Support/Program.h"
 #include "llvm/Support/raw_ostream.h"
 
 #include <fmt/format.h>
+
+#include <unistd.h>
 
 #include <csignal>
 #include <cstdlib>
@@ -125,6 +128,18 @@ int run(llvm::StringRef executable, llvm::ArrayRef<std::string> arguments, std::
   const int code = llvm::sys::ExecuteAndWait(executable, refs, std::nullopt, {}, 0, 0, &error, &failed);
   std::signal(SIGINT, before);
   return failed || code < 0 ? -1 : code;
+}
+
+std::string become(const std::string &executable, llvm::ArrayRef<std::string> arguments) {
+  std::vector<std::string> words = {executable};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<char *> pointers;
+  for (std::string &word : words)
+    pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+  llvm::outs().flush();
+  execv(executable.c_str(), pointers.data());
+  return llvm::sys::StrError();
 }
 
 }  // namespace ladderc::toolchain

@@ -46,5 +46,7 @@ std::string cache_key(llvm::ArrayRef<llvm::StringRef> parts, const Locations &lo
 /// Runs a program with the terminal's streams and returns its exit code; -1 with `error` where it could not be started or was killed by
 /// a signal. SIGINT reaches the child, not ladderc, so that it can end cleanly.
 int run(llvm::StringRef executable, llvm::ArrayRef<std::string> arguments, std::string &error);
+/// Becomes that program: signals and exit code are its own from here on. Returns only where it could not be started, with the reason.
+std::string become(const std::string &executable, llvm::ArrayRef<std::string> arguments);
 
 }  // namespace ladderc::toolchain
