@@ -60,13 +60,14 @@ let section = "6.4.2", title = "Transfer inverted",
 defm Complement : Converting<"CML", "complement", NeverFails, 2, [Time<350>], [Time<450>]>;
 // 16-bit only. The times of the P forms are not printed; they are those of the plain ones.
 let equalDigits = 1 in {
-let section = "6.4.3", title = "Block transfer", errors = ["4101: n words from S or from D cross the end of the device"],
+let section = "6.4.3", title = "Block transfer",
+    errors = ["4101: n is negative, or n words from S or D cross the end of the device"],
     description = "Copies n words from S onwards to D onwards; the two may overlap. Between bits and words each word takes or "
                   "gives the low digits that the designation names. Two digit designations have the same number of digits. A block "
                   "that crosses the end of its device is not copied at all and stops the CPU." in
 defm BlockMove : Pulsed<"BMOV", "BMOV", "bmov", FailsOnRange.style, FailsOnRange.error, [SourceBlock, TargetBlock, BlockLength],
                         [0, 1, 2], [1], 4, [Time<35000, "n = 1">, Time<67000, "n = 96">], "D0 D10 K5">;
-let section = "6.4.4", title = "Fill", errors = ["4101: n words from D cross the end of the device"],
+let section = "6.4.4", title = "Fill", errors = ["4101: n is negative, or n words from D cross the end of the device"],
     description = "Writes S to each of n words from D onwards; digits as D take the low digits of S, group after group. Two digit "
                   "designations have the same number of digits. A block that crosses the end of its device is not written at all "
                   "and stops the CPU." in

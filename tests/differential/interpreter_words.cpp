@@ -119,10 +119,10 @@ bool Interpreter::block(const Decoded &d, std::size_t index) {
     const auto points = static_cast<std::int64_t>(operand.kind == OperandKind::Digits ? array.on.size() : array.value.size());
     return element(operand, count).value <= points;
   };
-  if (count <= 0)
+  if (count == 0)
     return true;
   const bool moves = d.op == WordOp::BlockMove;
-  if (!fits(o[1]) || (moves && !fits(o[0]))) {
+  if (count < 0 || !fits(o[1]) || (moves && !fits(o[0]))) {
     system_.operation_error(4101, program_.list.instructions[index].step);
     return false;
   }

@@ -50,9 +50,14 @@ TEST(BlockMove, EndsAtTheEndOfTheClass) {
 TEST(BlockMove, NoWordsIsNoOperation) {
   Words<10> D = counted();
   EXPECT_TRUE(bmov(D.block(0), D.block(9), 0));
-  EXPECT_TRUE(bmov(D.block(0), D.block(9), -3));
   EXPECT_TRUE(fmov(5, D.block(9), 0));
-  EXPECT_TRUE(fmov(5, D.block(9), -32768));
+  EXPECT_EQ(D[9], 9);
+}
+
+TEST(BlockMove, NegativeCountIsAnError) {
+  Words<10> D = counted();
+  EXPECT_FALSE(bmov(D.block(0), D.block(9), -1));
+  EXPECT_FALSE(fmov(5, D.block(9), -32768));
   EXPECT_EQ(D[9], 9);
 }
 

@@ -8,11 +8,11 @@
 namespace ladder::ops {
 
 /// Copies n words. Overlapping blocks come out as if the source had been read as a whole first. False, and nothing written, when
-/// either block ends before n words; n <= 0 is no operation.
+/// either block ends before n words or n is negative.
 template <class Source, class Destination>
 [[nodiscard]] constexpr bool bmov(Source source, Destination destination, word n) noexcept {
   if (n <= 0)
-    return true;
+    return n == 0;
   const unsigned count = static_cast<unsigned>(n);
   if (count > source.points() || count > destination.points())
     return false;
@@ -26,10 +26,10 @@ template <class Source, class Destination>
   return true;
 }
 
-/// Writes `source` n times. False, and nothing written, when the block ends before n words; n <= 0 is no operation.
+/// Writes `source` n times. False, and nothing written, when the block ends before n words or n is negative.
 template <class Destination> [[nodiscard]] constexpr bool fmov(word source, Destination destination, word n) noexcept {
   if (n <= 0)
-    return true;
+    return n == 0;
   const unsigned count = static_cast<unsigned>(n);
   if (count > destination.points())
     return false;
