@@ -124,7 +124,9 @@ void emit_diagnostics(llvm::RecordKeeper &records, raw_ostream &out) {
   out << "};\n\n}  // namespace ladderc\n";
 }
 
-void emit_diagnostic_docs(llvm::RecordKeeper &records, raw_ostream &out) {
+void emit_diagnostic_docs(llvm::RecordKeeper &records, raw_ostream &file) {
+  std::string text;  // every page ends with an empty line, the file does not
+  llvm::raw_string_ostream out(text);
   std::vector<const Record *> diagnostics = read_diagnostics(records);
   llvm::sort(diagnostics, [](const Record *a, const Record *b) { return a->getValueAsString("id") < b->getValueAsString("id"); });
   out << "# Diagnostics\n\nEvery message of `ladderc` by its id. `ladderc explain ID` prints the same page. A warning is silenced "
@@ -142,6 +144,7 @@ void emit_diagnostic_docs(llvm::RecordKeeper &records, raw_ostream &out) {
       print_page(*r, out);
     }
   }
+  file << StringRef(text).rtrim("\n") << "\n";
 }
 
 }  // namespace ladderc::tblgen
