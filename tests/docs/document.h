@@ -8,10 +8,10 @@
 namespace docs {
 
 struct Block {
-  unsigned line = 0;      ///< of the opening fence, 1-based
-  std::string language;   ///< behind the fence
-  std::string role;       ///< inside the comment above, "run: exact"; empty: none
-  std::string text;       ///< between the fences
+  unsigned line = 0;     ///< of the opening fence, 1-based
+  std::string language;  ///< behind the fence
+  std::string role;      ///< inside the comment above, "run: exact"; empty: none
+  std::string text;      ///< between the fences
 };
 
 /// The blocks of a document of this repository, by its path.
