@@ -17,8 +17,12 @@ namespace {
 
 constexpr unsigned kMaxExpressionSize = 48;
 
-bool is_edge(const Operation &o) { return o.op == Op::Rising || o.op == Op::Falling; }
-bool is_effect(const Operation &o) { return !ir::is_value(o.op) || is_edge(o); }
+bool is_edge(const Operation &o) {
+  return o.op == Op::Rising || o.op == Op::Falling;
+}
+bool is_effect(const Operation &o) {
+  return !ir::is_value(o.op) || is_edge(o);
+}
 
 }  // namespace
 

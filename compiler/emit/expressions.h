@@ -1,8 +1,9 @@
 // Which values of a rung become part of a larger expression and which get a name, and how expressions are printed.
 //
-// A value is inlined at its only use where moving it there changes nothing: no operation in between may write what it reads (or, for an
-// edge, touch its memory). A plain contact may be inlined at several uses: reading it again is as good as a name. Everything else becomes `const bit line_STEP = ...;` where it stands: the state of the line at that step.
-// Expressions are cut at a size that a person can read and a C++ compiler parses quickly.
+// A value is inlined at its only use where moving it there changes nothing: no operation in between may write what it reads (or,
+// for an edge, touch its memory). A plain contact may be inlined at several uses: reading it again is as good as a name. Everything
+// else becomes `const bit line_STEP = ...;` where it stands: the state of the line at that step. Expressions are cut at a size that
+// a person can read and a C++ compiler parses quickly.
 #pragma once
 
 #include "emit/places.h"

@@ -8,7 +8,9 @@ namespace ladderc::emit {
 namespace {
 
 std::string number_text(const DeviceInfo &device, std::int64_t number) {
-  return device.radix == 16 ? fmt::format("{:X}", number) : device.radix == 8 ? fmt::format("{:o}", number) : fmt::format("{}", number);
+  return device.radix == 16  ? fmt::format("{:X}", number)
+         : device.radix == 8 ? fmt::format("{:o}", number)
+                             : fmt::format("{}", number);
 }
 
 std::string operand_text(const FamilyInfo &family, const Operand &operand) {
@@ -44,7 +46,8 @@ std::string comment_text(const SourceSet &sources, SourceRange range) {
     const llvm::StringRef character = rest.take_front(size);
     rest = rest.drop_front(size);
     // U+202A-202E and U+2066-2069: compilers warn of them, and a comment could seem to be code.
-    const bool turns = (character >= "\xE2\x80\xAA" && character <= "\xE2\x80\xAE") || (character >= "\xE2\x81\xA6" && character <= "\xE2\x81\xA9");
+    const bool turns = (character >= "\xE2\x80\xAA" && character <= "\xE2\x80\xAE") ||
+                       (character >= "\xE2\x81\xA6" && character <= "\xE2\x81\xA9");
     if (!turns)
       text += lead < 0x20 || lead == 0x7F ? " " : character.str();
   }

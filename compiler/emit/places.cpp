@@ -1,7 +1,7 @@
 // How places are spelt in C++. The runtime's image classes (ladder/image.h) have the members that are used here.
 //
-// A pair or digit run that crosses the end of its device class goes on in the next class of the memory order. Where that is, is known
-// here, so the output names the parts one by one: pair(D[6143], W[0]).
+// A pair or digit run that crosses the end of its device class goes on in the next class of the memory order. Where that is, is
+// known here, so the output names the parts one by one: pair(D[6143], W[0]).
 #include "emit/places.h"
 
 #include "ir/extent.h"
@@ -15,7 +15,9 @@ namespace {
 using ir::Place;
 using ir::PlaceKind;
 
-const DeviceInfo &device_of(const PlaceContext &context, const Place &place) { return context.family.devices[place.device]; }
+const DeviceInfo &device_of(const PlaceContext &context, const Place &place) {
+  return context.family.devices[place.device];
+}
 
 std::string word_text(const PlaceContext &context, DevicePoint point) {
   const DeviceInfo &device = context.family.devices[point.device];
@@ -31,7 +33,8 @@ bool crosses(const PlaceContext &context, const Place &place, std::uint32_t coun
 std::string words(const PlaceContext &context, const Place &place, std::uint32_t first, std::uint32_t count) {
   std::string text;
   for (std::uint32_t i = first; i < first + count; ++i)
-    text += (text.empty() ? "" : ", ") + word_text(context, point_behind(context.family, context.parameters, {place.device, place.number}, i));
+    text += (text.empty() ? "" : ", ") +
+            word_text(context, point_behind(context.family, context.parameters, {place.device, place.number}, i));
   return text;
 }
 

@@ -8,7 +8,8 @@
 
 namespace ladderc::emit {
 
-/// What the spelling needs to know beside the place: the module's devices and the allocation (where a run crosses the end of a class).
+/// What the spelling needs to know beside the place: the module's devices and the allocation (where a run crosses the end of a
+/// class).
 struct PlaceContext {
   const FamilyInfo &family;
   const Parameters &parameters;

@@ -11,7 +11,9 @@ namespace ladderc::emit {
 
 namespace {
 
-std::string counted(std::uint32_t count, const char *what) { return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s"); }
+std::string counted(std::uint32_t count, const char *what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
 
 std::string first_and_last(const DeviceInfo &device, std::uint32_t count) {
   const char *format = device.radix == 16 ? "{}{:X}" : device.radix == 8 ? "{}{:o}" : "{}{}";
@@ -22,8 +24,8 @@ std::string first_and_last(const DeviceInfo &device, std::uint32_t count) {
 }
 
 std::string image_type(const DeviceInfo &device, std::uint32_t count) {
-  const char *type = device.kind == DeviceKind::Bit     ? "Bits"
-                     : device.kind == DeviceKind::Timer ? "Timers"
+  const char *type = device.kind == DeviceKind::Bit       ? "Bits"
+                     : device.kind == DeviceKind::Timer   ? "Timers"
                      : device.kind == DeviceKind::Counter ? "Counters"
                                                           : "Words";
   return fmt::format("ladder::{}<{}> {};", type, count, device.image.str());
@@ -102,7 +104,8 @@ void write_initial_values(const Frame &frame, Writer &out) {
     const llvm::StringRef written(initial.device);
     const bool wide = written.ends_with(":d") || written.ends_with(":u");
     const Operand operand = parse_operand(*frame.program.family, written.split(':').first, {});
-    const bool bit = operand.kind == OperandKind::BitOfWord || frame.program.family->devices[operand.device].kind == DeviceKind::Bit;
+    const bool bit =
+        operand.kind == OperandKind::BitOfWord || frame.program.family->devices[operand.device].kind == DeviceKind::Bit;
     const ir::Place place = ir::to_place(operand, bit ? OperandType::Bit : wide ? OperandType::DWord : OperandType::Word);
     if (operand.value >= frame.layout.count[operand.device])
       continue;  // the program never looks at it
@@ -137,8 +140,8 @@ void write_scan(const Frame &frame, Writer &out) {
   const Block body = out.block(fmt::format("void {}::scan(ladder::Micros now) noexcept", frame.class_name));
   out.line("if (!sys.begin_scan(now)) return;  // in STOP, or stopped by an error");
   if (frame.single_function()) {
-    out.blank();
     if (!frame.layout.chunks.empty()) {
+      out.blank();
       write_rungs(frame, out, frame.layout.chunks.front(), frame.stem + ".cpp");
       out.blank();
     }
@@ -189,15 +192,21 @@ void write_frame_functions(const Frame &frame, Writer &out) {
 
 }  // namespace
 
-std::string Frame::list_name() const { return llvm::sys::path::filename(list().name()).str(); }
+std::string Frame::list_name() const {
+  return llvm::sys::path::filename(list().name()).str();
+}
 
 std::string Frame::head_line(llvm::StringRef file) const {
   return fmt::format("{}: written by ladderc from {} ({}, {}, -O{}). Edit the list, not this file.", file.str(), list_name(),
                      program.family->id.str(), program.model.str(), options.level);
 }
 
-bool Frame::in_system(DeviceId device) const { return program.family->devices[device].image.starts_with("sys."); }
-bool Frame::own_image(DeviceId device) const { return layout.count[device] != 0 && !in_system(device); }
+bool Frame::in_system(DeviceId device) const {
+  return program.family->devices[device].image.starts_with("sys.");
+}
+bool Frame::own_image(DeviceId device) const {
+  return layout.count[device] != 0 && !in_system(device);
+}
 
 std::string Frame::system_type() const {
   std::string counts;
@@ -219,7 +228,8 @@ std::string Frame::system_type() const {
 }
 
 std::string Frame::chunk_name(const Chunk &chunk) const {
-  return fmt::format("rungs_{}_to_{}", module.routines.front().rungs[chunk.first].number, module.routines.front().rungs[chunk.last].number);
+  return fmt::format("rungs_{}_to_{}", module.routines.front().rungs[chunk.first].number,
+                     module.routines.front().rungs[chunk.last].number);
 }
 
 Frame make_frame(const CheckedProgram &program, const ir::Module &module, const SourceSet &sources, const EmitOptions &options) {
@@ -309,7 +319,8 @@ std::vector<OutputFile> emit_program(const CheckedProgram &program, const ir::Mo
   return files;
 }
 
-std::string emit_rungs(const CheckedProgram &program, const ir::Module &module, const SourceSet &sources, const EmitOptions &options) {
+std::string emit_rungs(const CheckedProgram &program, const ir::Module &module, const SourceSet &sources,
+                       const EmitOptions &options) {
   const Frame frame = make_frame(program, module, sources, options);
   Writer out;
   for (const Chunk &chunk : frame.layout.chunks) {

@@ -14,7 +14,8 @@ using ir::Op;
 using ir::Operation;
 
 bool can_stop(const ir::Rung &rung) {
-  return llvm::any_of(rung.operations, [](const Operation &o) { return o.info && (o.info->error_code != 0 || o.info->stops_scan); });
+  return llvm::any_of(rung.operations,
+                      [](const Operation &o) { return o.info && (o.info->error_code != 0 || o.info->stops_scan); });
 }
 
 std::string RungEmitter::line_name(std::uint32_t step) {
@@ -60,7 +61,8 @@ void RungEmitter::emit_operation(const ir::Rung &rung, const RungPlan &plan, std
   case Op::Reset:
     if (always(plan, o.a))
       return out_.statement(bit_text(context_, o.place) + " = off;");
-    return out_.statement(fmt::format("{} &= !{};", bit_text(context_, o.place), operand_of(expression(plan, o.a), Precedence::Not)));
+    return out_.statement(
+        fmt::format("{} &= !{};", bit_text(context_, o.place), operand_of(expression(plan, o.a), Precedence::Not)));
   case Op::Call:
     return emit_call(o);
   case Op::Run:
@@ -82,7 +84,9 @@ void RungEmitter::emit_call(const Operation &o) {
     return out_.statement(fmt::format("{} = {};", output_text(context_, o.outputs.front()), call_text(context_, o)));
   case CallStyle::Status: {
     const std::string mask =
-        info.error_mask.empty() ? "" : " && !" + bit_text(context_, ir::to_place(parse_operand(context_.family, info.error_mask, {}), OperandType::Bit));
+        info.error_mask.empty()
+            ? ""
+            : " && !" + bit_text(context_, ir::to_place(parse_operand(context_.family, info.error_mask, {}), OperandType::Bit));
     return out_.statement(
         fmt::format("if (!{}{}) return sys.operation_error({}, {});", call_text(context_, o), mask, info.error_code, o.step));
   }
@@ -99,7 +103,8 @@ void RungEmitter::emit_call(const Operation &o) {
     for (const ir::Place &p : o.inputs)
       arguments += (arguments.empty() ? "" : ", ") + input_text(context_, p);
     // The step goes into the error information.
-    return out_.statement(fmt::format("{}sys.{}({}, {});", info.stops_scan ? "return " : "", info.function.str(), arguments, o.step));
+    return out_.statement(
+        fmt::format("{}sys.{}({}, {});", info.stops_scan ? "return " : "", info.function.str(), arguments, o.step));
   }
   default:
     return out_.statement(call_text(context_, o) + ";");
@@ -168,11 +173,13 @@ Expression RungEmitter::operation_text(const RungPlan &plan, const Operation &o)
     return {side(o.a, false) + " | " + side(o.b, o.op == Op::OrNot), Precedence::Or};
   }
   case Op::Xor:
-    return {fmt::format("{} ^ {}", operand_of(expression(plan, o.a), Precedence::Not), operand_of(expression(plan, o.b), Precedence::Not)),
+    return {fmt::format("{} ^ {}", operand_of(expression(plan, o.a), Precedence::Not),
+                        operand_of(expression(plan, o.b), Precedence::Not)),
             Precedence::Xor};
   case Op::Rising:
   case Op::Falling:
-    return {fmt::format("{}({}, {})", o.op == Op::Rising ? "rising" : "falling", bit_text(context_, o.place), expression(plan, o.a).text)};
+    return {fmt::format("{}({}, {})", o.op == Op::Rising ? "rising" : "falling", bit_text(context_, o.place),
+                        expression(plan, o.a).text)};
   default:
     return {call_text(context_, o)};
   }

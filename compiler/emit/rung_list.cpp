@@ -67,7 +67,8 @@ void write_rung_comment(const Frame &frame, Writer &out, const ir::Rung &rung,
   for (const auto &[index, note] : notes) {
     const std::string words = list_text(frame.program, frame.program.list.instructions[index]);
     const std::size_t blank = words.find(' ');
-    explained += (explained.size() > 25 ? " · " : "") + (blank == std::string::npos ? words : words.substr(blank + 1)) + ": " + note;
+    explained +=
+        (explained.size() > 25 ? " · " : "") + (blank == std::string::npos ? words : words.substr(blank + 1)) + ": " + note;
   }
   out.comment(explained, 25);
 }
@@ -79,9 +80,8 @@ void write_rungs(const Frame &frame, Writer &out, const Chunk &chunk, llvm::Stri
   RungEmitter emitter(frame.module, frame.places, out, frame.options.level > 0);
   emitter.begin_function();
   if (frame.options.line_directives)
-    emitter.set_before_statement([&](std::uint32_t step) {
-      out.left(fmt::format("#line {} {}", line_of_step(frame, step), quoted(frame.list().name())));
-    });
+    emitter.set_before_statement(
+        [&](std::uint32_t step) { out.left(fmt::format("#line {} {}", line_of_step(frame, step), quoted(frame.list().name()))); });
   CommentFinder comments(frame, rungs[chunk.first].first_instruction);
   for (std::size_t i = chunk.first; i <= chunk.last; ++i) {
     const ir::Rung &rung = rungs[i];

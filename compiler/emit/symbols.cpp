@@ -62,7 +62,9 @@ void write_latched(const Frame &frame, Writer &out) {
     if (operand.value >= frame.layout.count[operand.device])
       continue;
     const bool bit = frame.program.family->devices[operand.device].kind == DeviceKind::Bit;
-    const ir::Place place = ir::to_place(operand, bit ? OperandType::Bit : written.contains(':') ? OperandType::DWord : OperandType::Word);
+    const ir::Place place = ir::to_place(operand, bit                     ? OperandType::Bit
+                                                  : written.contains(':') ? OperandType::DWord
+                                                                          : OperandType::Word);
     if (bit)
       out.line("program->{} = ladder::bit({});", bit_text(frame.places, place), value.value ? "true" : "false");
     else

@@ -26,8 +26,8 @@ std::size_t break_place(llvm::StringRef text, std::size_t limit) {
   return llvm::StringRef::npos;
 }
 
-/// Where a comment is broken so that at most `room` columns stand on the line: behind the last ` · ` that lies behind `from`, else at the last
-/// blank there, else at the first blank behind.
+/// Where a comment is broken so that at most `room` columns stand on the line: behind the last ` · ` that lies behind `from`, else
+/// at the last blank there, else at the first blank behind.
 std::size_t comment_break(llvm::StringRef text, unsigned room, std::size_t from) {
   static constexpr llvm::StringLiteral kJoint = " \xC2\xB7 ";
   for (const llvm::StringRef mark : {llvm::StringRef(kJoint), llvm::StringRef(" ")}) {
@@ -55,11 +55,17 @@ void Writer::raw(unsigned indent, llvm::StringRef line) {
   ++lines_;
 }
 
-void Writer::text(llvm::StringRef line) { raw(indent_, line); }
+void Writer::text(llvm::StringRef line) {
+  raw(indent_, line);
+}
 
-void Writer::left(llvm::StringRef line, unsigned indent) { raw(indent, line); }
+void Writer::left(llvm::StringRef line, unsigned indent) {
+  raw(indent, line);
+}
 
-void Writer::blank() { raw(0, ""); }
+void Writer::blank() {
+  raw(0, "");
+}
 
 void Writer::statement(llvm::StringRef statement) {
   unsigned indent = indent_;

@@ -34,8 +34,8 @@ public:
   /// A statement that is broken behind operators and commas where it is longer than a line.
   void statement(llvm::StringRef statement);
   void blank();
-  /// `// text`, wrapped between words, and between the parts that ` · ` joins where they fit on a line; continuation lines are indented
-  /// by `hang` columns behind the `// `.
+  /// `// text`, wrapped between words, and between the parts that ` · ` joins where they fit on a line; continuation lines are
+  /// indented by `hang` columns behind the `// `.
   void comment(llvm::StringRef text, unsigned hang = 0);
   /// Writes `head {`, indents, and closes with `end`.
   [[nodiscard]] Block block(llvm::StringRef head, llvm::StringRef end = "}");

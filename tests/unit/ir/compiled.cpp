@@ -55,7 +55,9 @@ std::unique_ptr<Compiled> compile_rungs(llvm::StringRef rungs, llvm::StringRef p
   return compile(list + "END\n", parameters);
 }
 
-bool is_correct(const std::string &list) { return check_list(list, R"({"ST_points": 64})", "test.il")->program.ok; }
+bool is_correct(const std::string &list) {
+  return check_list(list, R"({"ST_points": 64})", "test.il")->program.ok;
+}
 
 ir::Module parse_module(llvm::StringRef text) {
   ir::Module module;
@@ -83,7 +85,8 @@ std::vector<std::pair<std::string, std::string>> known_lists() {
       lists.emplace_back(info.form.str(), info.example.str());
   std::error_code ec;
   for (const char *folder : {"/samples", "/tests"})
-    for (llvm::sys::fs::recursive_directory_iterator it(std::string(LADDERC_SOURCE_DIR) + folder, ec), end; it != end && !ec; it.increment(ec)) {
+    for (llvm::sys::fs::recursive_directory_iterator it(std::string(LADDERC_SOURCE_DIR) + folder, ec), end; it != end && !ec;
+         it.increment(ec)) {
       if (llvm::sys::path::extension(it->path()) != ".il")
         continue;
       auto file = llvm::MemoryBuffer::getFile(it->path());

@@ -80,8 +80,9 @@ TEST_F(Extents, ConstantsAndMemoriesAreApart) {
 }
 
 TEST(Barriers, AreCallsThatMayEndTheScanOrLookAround) {
-  const ir::Module m = parse_module("%0 = load X0\ncall MOV if %0 (1) -> (D0)\ncall BCD if %0 (D0) -> (D1) at 3\ncall \"SET F\" if %0 () -> (F1) at 6\n"
-                                    "run \"OUT T\" with %0 (5) -> (T0)\ncall S.QSABORT if %0 (1) at 9");
+  const ir::Module m = parse_module(
+      "%0 = load X0\ncall MOV if %0 (1) -> (D0)\ncall BCD if %0 (D0) -> (D1) at 3\ncall \"SET F\" if %0 () -> (F1) at 6\n"
+      "run \"OUT T\" with %0 (5) -> (T0)\ncall S.QSABORT if %0 (1) at 9");
   std::vector<bool> barriers;
   for (const ir::Operation &o : m.routines[0].rungs[0].operations)
     barriers.push_back(ir::is_barrier(o));

@@ -1,8 +1,9 @@
 // Runs IR on bits.
 //
-// Cells are bits of devices, edge memories and master states, by their text ("M0", "edge1", "master0"). Calls are written into a trace with the
-// bits that they read; MOV of a constant to digits and of nothing else changes cells. A call that can end the scan writes all cells into the trace:
-// that is what a host would see if it did. Two programs are the same if they leave the same cells and the same trace from every state.
+// Cells are bits of devices, edge memories and master states, by their text ("M0", "edge1", "master0"). Calls are written into a
+// trace with the bits that they read; MOV of a constant to digits and of nothing else changes cells. A call that can end the scan
+// writes all cells into the trace: that is what a host would see if it did. Two programs are the same if they leave the same cells
+// and the same trace from every state.
 #pragma once
 
 #include "emit/expressions.h"

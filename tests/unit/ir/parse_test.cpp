@@ -16,7 +16,9 @@ std::string error_of(llvm::StringRef text) {
   std::string error;
   return ir::parse(text, module, error) ? "accepted" : error;
 }
-std::string error_in_rung(const std::string &line) { return error_of("routine main {\nrung 0\n" + line + "\n}\n"); }
+std::string error_in_rung(const std::string &line) {
+  return error_of("routine main {\nrung 0\n" + line + "\n}\n");
+}
 
 TEST(Parse, SaysWhatIsWrong) {
   EXPECT_EQ(error_of("rung 0\n"), "line 1: routine expected");
@@ -50,7 +52,8 @@ TEST(Parse, CommentsAndBlanksDoNotCount) {
 }
 
 TEST(Parse, OneFormHasEntriesForWordsTimersAndCounters) {
-  const ir::Module m = parse_module("%0 = load X0\ncall RST if %0 () -> (T0)\ncall RST if %0 () -> (C0)\ncall RST if %0 () -> (D0)");
+  const ir::Module m =
+      parse_module("%0 = load X0\ncall RST if %0 () -> (T0)\ncall RST if %0 () -> (C0)\ncall RST if %0 () -> (D0)");
   const auto &operations = m.routines[0].rungs[0].operations;
   EXPECT_EQ(operations[1].outputs[0].type, OperandType::Timer);
   EXPECT_EQ(operations[2].outputs[0].type, OperandType::Counter);
@@ -77,8 +80,33 @@ TEST(Parse, ConstantsKeepTheirValueAndForm) {
 
 TEST(Parse, AnyBytesComeBack) {
   std::mt19937 random(1);
-  static constexpr const char *kPieces[] = {"routine main {\n", "rung 0\n", "%0 = load X0\n", "%", "=", " ", "\n", "(", ")", "->", "call", "MOV", "if",
-                                            "with", "edge", "master", "99999999999", "-", "\"", "}", ",", "K4M0", "D0.5", "at", "\x80", ";;;", "levels 300\n"};
+  static constexpr const char *kPieces[] = {"routine main {\n",
+                                            "rung 0\n",
+                                            "%0 = load X0\n",
+                                            "%",
+                                            "=",
+                                            " ",
+                                            "\n",
+                                            "(",
+                                            ")",
+                                            "->",
+                                            "call",
+                                            "MOV",
+                                            "if",
+                                            "with",
+                                            "edge",
+                                            "master",
+                                            "99999999999",
+                                            "-",
+                                            "\"",
+                                            "}",
+                                            ",",
+                                            "K4M0",
+                                            "D0.5",
+                                            "at",
+                                            "\x80",
+                                            ";;;",
+                                            "levels 300\n"};
   for (unsigned n = 0; n < 3000; ++n) {
     std::string text = "routine main {\nrung 0\n";
     for (unsigned i = random() % 12; i > 0; --i)

@@ -98,6 +98,8 @@ const std::vector<std::string> &random_cells() {
   return cells;
 }
 
-ir::Module random_module(unsigned seed, unsigned operations) { return parse_module(Maker(seed).module(operations)); }
+ir::Module random_module(unsigned seed, unsigned operations) {
+  return parse_module(Maker(seed).module(operations));
+}
 
 }  // namespace ladderc::test

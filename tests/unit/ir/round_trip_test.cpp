@@ -9,9 +9,11 @@
 namespace ladderc::test {
 namespace {
 
-/// Two table entries can share a form and its numbers of operands ("+ S D" with D read, "+ S1 S2 D"); what they do is the same then.
+/// Two table entries can share a form and its numbers of operands ("+ S D" with D read, "+ S1 S2 D"); what they do is the same
+/// then.
 bool same_entry(const InstructionInfo *a, const InstructionInfo *b) {
-  return a == b || (a && b && a->form == b->form && a->function == b->function && a->style == b->style && a->error_code == b->error_code);
+  return a == b ||
+         (a && b && a->form == b->form && a->function == b->function && a->style == b->style && a->error_code == b->error_code);
 }
 
 void expect_same(const ir::Module &a, const ir::Module &b) {

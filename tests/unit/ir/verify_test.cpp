@@ -9,11 +9,18 @@ namespace {
 
 using testing::HasSubstr;
 
-ir::Module good() { return parse_module("edges 3\nlevels 1\nroutine main {\nrung 0\n%0 = load X0\n%1 = rising edge0, %0\n%2 = and %0, %1\nstore master0, %2\n"
-                                        "call MOV if %2 (1) -> (D0)\n}\n"); }
-std::vector<ir::Operation> &operations(ir::Module &m) { return m.routines[0].rungs[0].operations; }
+ir::Module good() {
+  return parse_module(
+      "edges 3\nlevels 1\nroutine main {\nrung 0\n%0 = load X0\n%1 = rising edge0, %0\n%2 = and %0, %1\nstore master0, %2\n"
+      "call MOV if %2 (1) -> (D0)\n}\n");
+}
+std::vector<ir::Operation> &operations(ir::Module &m) {
+  return m.routines[0].rungs[0].operations;
+}
 
-TEST(Verify, AcceptsWhatIsRight) { EXPECT_EQ(ir::verify(good()), ""); }
+TEST(Verify, AcceptsWhatIsRight) {
+  EXPECT_EQ(ir::verify(good()), "");
+}
 
 TEST(Verify, ValuesAreDefinedOnceAndBeforeTheirUse) {
   ir::Module m = good();

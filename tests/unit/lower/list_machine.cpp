@@ -11,7 +11,9 @@ namespace {
 
 class ListMachine {
 public:
-  ListMachine(const CheckedProgram &program, const Cells &cells) : program_(program), cells_(cells) { module_.family = program.family; }
+  ListMachine(const CheckedProgram &program, const Cells &cells) : program_(program), cells_(cells) {
+    module_.family = program.family;
+  }
 
   Cells run() {
     for (const Instruction &i : program_.list.instructions)
@@ -137,6 +139,8 @@ private:
 
 }  // namespace
 
-Cells run_list(const CheckedProgram &program, const Cells &cells) { return ListMachine(program, cells).run(); }
+Cells run_list(const CheckedProgram &program, const Cells &cells) {
+  return ListMachine(program, cells).run();
+}
 
 }  // namespace ladderc::test

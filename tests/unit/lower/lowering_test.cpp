@@ -54,7 +54,9 @@ TEST(Lowering, TheHighestLevelDecidesHowManyStatesThereAre) {
   EXPECT_EQ(compile_rungs("LD X0 / OUT Y0")->module.master_levels, 0);
 }
 
-TEST(Lowering, AnEmptyProgramHasNoRung) { EXPECT_TRUE(compile("END\n")->module.routines[0].rungs.empty()); }
+TEST(Lowering, AnEmptyProgramHasNoRung) {
+  EXPECT_TRUE(compile("END\n")->module.routines[0].rungs.empty());
+}
 
 TEST(Lowering, EveryExampleGivesGoodIr) {
   for (const auto &[name, list] : known_lists()) {

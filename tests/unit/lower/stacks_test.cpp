@@ -1,5 +1,5 @@
-// The symbolic stack machine against the real one: random lists, every state of their bits, the same bits afterwards; and once more after
-// all passes, and as the emitter prints them.
+// The symbolic stack machine against the real one: random lists, every state of their bits, the same bits afterwards; and once more
+// after all passes, and as the emitter prints them.
 #include "compiled.h"
 #include "list_machine.h"
 #include "machine.h"
@@ -23,7 +23,8 @@ public:
     std::string text;
     for (unsigned n = below(2) + 1; n > 0; --n) {
       if (below(3) == 0)
-        text += block(1) + "MC N0 M10\n" + block(1) + (below(2) ? outputs(1) + "MCR N0\n" : "MC N1 M11\n" + block(1) + outputs(1) + "MCR N0\n");
+        text += block(1) + "MC N0 M10\n" + block(1) +
+                (below(2) ? outputs(1) + "MCR N0\n" : "MC N1 M11\n" + block(1) + outputs(1) + "MCR N0\n");
       text += block(2) + outputs(2);
     }
     return text + "END\n";

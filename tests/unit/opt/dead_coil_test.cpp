@@ -10,8 +10,8 @@ namespace {
 
 /// How many of the two coils of M5 are left with that in between, both inside of one rung and in rungs of their own.
 unsigned coils_left(const std::string &between, const std::string &rung = "") {
-  ir::Module module = parse_module("edges 1\nroutine main {\n" + ("rung 0\n%0 = load X0\nstore M5, %0\n" + rung) + between + (rung.empty() ? "" : "\nrung 2\n%0 = load X0") +
-                                   "\nstore M5, %0\n}\n");
+  ir::Module module = parse_module("edges 1\nroutine main {\n" + ("rung 0\n%0 = load X0\nstore M5, %0\n" + rung) + between +
+                                   (rung.empty() ? "" : "\nrung 2\n%0 = load X0") + "\nstore M5, %0\n}\n");
   opt::Options options;
   options.only = {"dead-coil"};
   opt::Context context;

@@ -1,4 +1,5 @@
-// docs/passes.md: for every pass a list, the IR before and after the pass alone, and the C++ before and after. All are made by the compiler.
+// docs/passes.md: for every pass a list, the IR before and after the pass alone, and the C++ before and after. All are made by the
+// compiler.
 #include "compiled.h"
 
 #include "emit/program.h"

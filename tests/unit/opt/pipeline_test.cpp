@@ -57,7 +57,8 @@ TEST(Pipeline, NamedPassesRunInTheirOrderAtAnyLevel) {
 
 TEST(Pipeline, ALimitStopsAllPassesTogether) {
   for (long long limit : {0, 1, 3}) {
-    ir::Module module = parse_module("%0 = load SM400\n%1 = load X0\n%2 = and %0, %1\n%3 = load X0\n%4 = or %2, %3\nstore Y0, %4\nset Y1 if %0\n");
+    ir::Module module =
+        parse_module("%0 = load SM400\n%1 = load X0\n%2 = and %0, %1\n%3 = load X0\n%4 = or %2, %3\nstore Y0, %4\nset Y1 if %0\n");
     opt::Options options;
     options.bisect = limit;
     opt::Context context;

@@ -1,4 +1,5 @@
-// Every pass, and all together, on random IR: the same bits and the same calls from every state. A proof for those programs, not a sample.
+// Every pass, and all together, on random IR: the same bits and the same calls from every state. A proof for those programs, not a
+// sample.
 #include "compiled.h"
 #include "machine.h"
 #include "random_ir.h"
@@ -16,8 +17,9 @@ void expect_equal(const ir::Module &before, const ir::Module &after, unsigned se
     if (testing::Test::HasFailure())
       return;
     const Outcome wanted = run_scan(before, cells), got = run_scan(after, cells, way);
-    EXPECT_TRUE(wanted == got) << "seed " << seed << "\nbefore:\n" << print(before) << "after:\n" << print(after) << "wanted: " << to_text(wanted)
-                               << "\ngot: " << to_text(got);
+    EXPECT_TRUE(wanted == got) << "seed " << seed << "\nbefore:\n"
+                               << print(before) << "after:\n"
+                               << print(after) << "wanted: " << to_text(wanted) << "\ngot: " << to_text(got);
   });
 }
 
@@ -94,8 +96,9 @@ TEST(Proof, TheRandomProgramsGiveEveryPassWork) {
     ir::Module module = random_module(seed);
     ASSERT_EQ(opt::run(module, {}, context), "");
   }
-  for (const char *rewrite : {"const-contact.folded", "redundant-load.removed", "simplify.constant", "simplify.inversion", "simplify.absorption",
-                              "simplify.never-executed", "simplify.always-executed", "dead-coil.removed", "dead-value.removed"})
+  for (const char *rewrite :
+       {"const-contact.folded", "redundant-load.removed", "simplify.constant", "simplify.inversion", "simplify.absorption",
+        "simplify.never-executed", "simplify.always-executed", "dead-coil.removed", "dead-value.removed"})
     EXPECT_GT(context.counts().lookup(rewrite), 0u) << rewrite;
 }
 
