@@ -25,7 +25,9 @@ const char *const kParameters[] = {
     R"({"device_points": {"X": 48, "Y": 32, "M": 40, "B": 16, "F": 40, "SB": 12, "V": 16, "T": 8, "ST": 4, "C": 6, "D": 28, "W": 12,
         "SW": 10}, "low_speed_unit_ms": 10, "high_speed_unit_ms": 1})",
     R"({"device_points": {"X": 256, "Y": 256, "M": 512, "B": 64, "F": 64, "SB": 32, "V": 32, "T": 16, "ST": 8, "C": 16, "D": 128,
-        "W": 64, "SW": 32}, "program_name": "RANDOM", "low_speed_unit_ms": 50, "high_speed_unit_ms": 0.7})"};
+        "W": 64, "SW": 32}, "program_name": "RANDOM", "low_speed_unit_ms": 50, "high_speed_unit_ms": 0.7,
+        "latched": ["X3", "Y4-Y7", "M8-M19", "M18-M22", "B0-B3", "F2-F5", "V1-V4", "T1-T2", "ST0", "C0-C1", "D4-D11", "D120-D127",
+        "W0-W3"], "device_initial_values": {"D9": 7, "D20": -5, "M30": 1, "W2": 300}})"};
 
 std::string joined_text(const driver::Compilation &c, const std::string &space) {
   emit::EmitOptions options = c.emit_options();

@@ -19,8 +19,9 @@ template <class T> T load(const unsigned char *at) {
 
 }  // namespace
 
-CompiledSide::CompiledSide(const ladder::ProgramSymbols &symbols, const FamilyInfo &family)
-    : symbols_(symbols), memory_(::operator new (symbols.size, std::align_val_t{symbols.alignment}), Release{symbols.alignment}),
+CompiledSide::CompiledSide(const ladder::ProgramSymbols &symbols, const FamilyInfo &family, const Parameters &parameters)
+    : symbols_(symbols), family_(family), parameters_(parameters),
+      memory_(::operator new (symbols.size, std::align_val_t{symbols.alignment}), Release{symbols.alignment}),
       symbol_(family.devices.size()), arrays_(family.devices.size()) {
   for (std::uint32_t i = 0; i < symbols.device_count; ++i) {
     const ladder::DeviceSymbol &s = symbols.devices[i];
@@ -38,12 +39,23 @@ CompiledSide::CompiledSide(const ladder::ProgramSymbols &symbols, const FamilyIn
 }
 
 void CompiledSide::power_on() {
-  for (DeviceArray &a : arrays_) {
-    a.on.assign(a.on.size(), 0);
-    a.coil.assign(a.coil.size(), 0);
-    a.value.assign(a.value.size(), 0);
-  }
+  for (DeviceId id = 0; id < arrays_.size(); ++id)
+    clear_unlatched(arrays_[id], id, family_, parameters_);
   symbols_.power_on(object());
+  write_initial_values();
+}
+
+void CompiledSide::set_run(bool run) {
+  const bool was_running = status().running;
+  symbols_.set_mode(object(), run ? ladder::Mode::Run : ladder::Mode::Stop);
+  if (!was_running && status().running)
+    write_initial_values();
+}
+
+/// Only for points that the program has no memory for: the others it writes itself, and read() shows them.
+void CompiledSide::write_initial_values() {
+  for (const InitialValue &initial : parameters_.initial_values)
+    write_initial_value(initial, family_, [&](DeviceId id) -> DeviceArray & { return arrays_[id]; });
 }
 
 void CompiledSide::poke_bit(DeviceId id, std::size_t number, bool on) {

@@ -11,10 +11,10 @@ namespace ladderc::differential {
 
 class CompiledSide {
 public:
-  CompiledSide(const ladder::ProgramSymbols &symbols, const FamilyInfo &family);
+  CompiledSide(const ladder::ProgramSymbols &symbols, const FamilyInfo &family, const Parameters &parameters);
 
   void power_on();
-  void set_run(bool run) { symbols_.set_mode(object(), run ? ladder::Mode::Run : ladder::Mode::Stop); }
+  void set_run(bool run);
   void scan(std::uint32_t now_us) { symbols_.scan(object(), now_us); }
   ladder::Status status() const { return symbols_.status(object()); }
 
@@ -30,7 +30,11 @@ private:
   };
   unsigned char *object() const { return static_cast<unsigned char *>(memory_.get()); }
 
+  void write_initial_values();
+
   const ladder::ProgramSymbols &symbols_;
+  const FamilyInfo &family_;
+  const Parameters &parameters_;
   std::unique_ptr<void, Release> memory_;
   std::vector<const ladder::DeviceSymbol *> symbol_;  ///< by device id; null: no memory
   std::vector<DeviceArray> arrays_;

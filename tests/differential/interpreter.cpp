@@ -18,6 +18,14 @@ void Interpreter::power_on() {
   memory_.clear();
   edges_.assign(edges_.size(), 0);
   system_.power_on();
+  memory_.write_initial_values();
+}
+
+void Interpreter::set_run(bool run) {
+  const bool was_running = system_.running();
+  system_.set_run(run);
+  if (!was_running && system_.running())
+    memory_.write_initial_values();
 }
 
 void Interpreter::scan(std::uint32_t now_us) {

@@ -78,7 +78,7 @@ public:
   explicit Interpreter(const CheckedProgram &program);
 
   void power_on();
-  void set_run(bool run) { system_.set_run(run); }
+  void set_run(bool run);
   void scan(std::uint32_t now_us);
 
   Memory &memory() { return memory_; }

@@ -21,7 +21,8 @@ class Trial {
 public:
   explicit Trial(const CompiledCase &c)
       : family_(*c.c.generate.family), points_(c.c.generate.parameters.points), random_(c.c.seed ^ 0x5EED),
-        plain_(*c.plain_symbols, family_), optimized_(*c.optimized_symbols, family_), interpreter_(c.plain->program) {}
+        plain_(*c.plain_symbols, family_, c.c.generate.parameters),
+        optimized_(*c.optimized_symbols, family_, c.c.generate.parameters), interpreter_(c.plain->program) {}
 
   std::optional<std::string> run(unsigned scans, unsigned &stops) {
     power_on();
@@ -52,7 +53,8 @@ private:
     optimized_.power_on();
     interpreter_.power_on();
     run_ = true;
-    fill();
+    if (random_.one_in(2))
+      fill();
   }
   void set_run(bool run) {
     run_ = run;

@@ -1,6 +1,9 @@
 // Digits and words of the interpreter, one bit and one word at a time.
 #include "memory.h"
 
+#include "syntax/parser.h"
+
+#include <algorithm>
 #include <initializer_list>
 #include <stdexcept>
 #include <string>
@@ -20,7 +23,7 @@ std::int64_t sign_extended(std::uint64_t pattern, unsigned words) {
 }  // namespace
 
 Memory::Memory(const FamilyInfo &family, const Parameters &parameters)
-    : family_(family), arrays_(family.devices.size()), next_(family.devices.size(), kNoDevice) {
+    : family_(family), parameters_(parameters), arrays_(family.devices.size()), next_(family.devices.size(), kNoDevice) {
   for (DeviceId id = 0; id < family.devices.size(); ++id) {
     const std::size_t points = parameters.points[id];
     const DeviceKind kind = family.devices[id].kind;
@@ -44,11 +47,41 @@ Memory::Memory(const FamilyInfo &family, const Parameters &parameters)
 }
 
 void Memory::clear() {
-  for (DeviceArray &a : arrays_) {
-    a.on.assign(a.on.size(), 0);
-    a.coil.assign(a.coil.size(), 0);
-    a.value.assign(a.value.size(), 0);
+  for (DeviceId id = 0; id < arrays_.size(); ++id)
+    clear_unlatched(arrays_[id], id, family_, parameters_);
+}
+
+void Memory::write_initial_values() {
+  for (const InitialValue &initial : parameters_.initial_values)
+    write_initial_value(initial, family_, [&](DeviceId id) -> DeviceArray & { return arrays_[id]; });
+}
+
+void clear_unlatched(DeviceArray &array, DeviceId id, const FamilyInfo &family, const Parameters &parameters) {
+  const bool of_system = family.devices[id].prefix == "SM" || family.devices[id].prefix == "SD";
+  for (std::size_t n = 0; n < std::max(array.on.size(), array.value.size()); ++n) {
+    const bool latched = !of_system && std::any_of(parameters.latched.begin(), parameters.latched.end(), [&](const DeviceRange &r) {
+      return r.device == id && r.first <= n && n <= r.last;
+    });
+    if (latched)
+      continue;
+    if (n < array.on.size())
+      array.on[n] = 0;
+    if (n < array.coil.size())
+      array.coil[n] = 0;
+    if (n < array.value.size())
+      array.value[n] = 0;
   }
+}
+
+void write_initial_value(const InitialValue &initial, const FamilyInfo &family,
+                         llvm::function_ref<DeviceArray &(DeviceId)> array_of) {
+  const Operand operand = parse_operand(family, initial.device, {});
+  DeviceArray &array = array_of(operand.device);
+  const auto number = static_cast<std::size_t>(operand.value);
+  if (family.devices[operand.device].kind == DeviceKind::Bit)
+    array.on[number] = initial.value != 0;
+  else
+    array.value[number] = static_cast<std::uint16_t>(initial.value);
 }
 
 DeviceArray &Memory::array(std::string_view prefix) {

@@ -4,6 +4,8 @@
 #include "sema/parameters.h"
 #include "syntax/ast.h"
 
+#include "llvm/ADT/STLFunctionalExtras.h"
+
 #include <cstdint>
 #include <string_view>
 #include <vector>
@@ -20,7 +22,10 @@ class Memory {
 public:
   Memory(const FamilyInfo &family, const Parameters &parameters);
 
+  /// Power-on: everything but what is latched becomes 0. SM and SD are never latched.
   void clear();
+  /// What the parameters write at power-on and at STOP to RUN.
+  void write_initial_values();
   DeviceArray &array(DeviceId id) { return arrays_[id]; }
   const DeviceArray &array(DeviceId id) const { return arrays_[id]; }
   DeviceArray &array(std::string_view prefix);
@@ -40,8 +45,15 @@ public:
 
 private:
   const FamilyInfo &family_;
+  const Parameters &parameters_;
   std::vector<DeviceArray> arrays_;
   std::vector<DeviceId> next_;  ///< the class behind each one
 };
+
+/// The same for memory of another kind.
+void clear_unlatched(DeviceArray &array, DeviceId id, const FamilyInfo &family, const Parameters &parameters);
+/// `initial` names one bit or one word.
+void write_initial_value(const InitialValue &initial, const FamilyInfo &family,
+                         llvm::function_ref<DeviceArray &(DeviceId)> array_of);
 
 }  // namespace ladderc::differential
