@@ -21,6 +21,8 @@ constexpr llvm::StringLiteral kKeys[] = {"name",         "family",       "model"
                                          "pair",         "optional",     "simulation"};
 constexpr llvm::StringLiteral kStepKeys[] = {"set", "scans", "expect", "tolerance", "why", "mode", "power_cycle"};
 
+constexpr int kMaxDepth = 64;
+
 std::string text_of(const json &object, const char *key) {
   const auto found = object.find(key);
   return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
@@ -101,7 +103,15 @@ std::optional<std::string> read_scenarios(llvm::StringRef path, std::vector<Scen
   if (!file)
     return fmt::format("cannot read '{}': {}", path.str(), file.getError().message());
   try {
-    const json document = json::parse((*file)->getBuffer().begin(), (*file)->getBuffer().end());
+    // Values are copied and printed recursively: what is nested without end must not end the stack.
+    bool too_deep = false;
+    const auto limit_depth = [&](int depth, json::parse_event_t, json &) {
+      too_deep |= depth > kMaxDepth;
+      return depth <= kMaxDepth;
+    };
+    const json document = json::parse((*file)->getBuffer().begin(), (*file)->getBuffer().end(), limit_depth);
+    if (too_deep)
+      return fmt::format("{}: nested deeper than {} levels", path.str(), kMaxDepth);
     const json list = document.is_array() ? document : json::array({document});
     for (const json &object : list) {
       Scenario s;
