@@ -36,7 +36,9 @@ ListFormat format_of(llvm::StringRef name) {
   return name == "plain" ? ListFormat::Plain : name == "csv" ? ListFormat::GxCsv : ListFormat::Auto;
 }
 
-bool is_model(const FamilyInfo &family, llvm::StringRef model) { return llvm::is_contained(family.models, model); }
+bool is_model(const FamilyInfo &family, llvm::StringRef model) {
+  return llvm::is_contained(family.models, model);
+}
 
 }  // namespace
 
@@ -97,8 +99,8 @@ bool Compilation::check_text(std::string name, std::string utf8, const Parameter
     list = parse_list(*family, sources, file, format_of(options.format), *diagnostics);
   }
   const StageTimer timer(*this, "check");
-  program = check(std::move(list), is_model(*family, model) ? *llvm::find(family->models, model) : llvm::StringRef(), std::move(parameters),
-                  *diagnostics);
+  program = check(std::move(list), is_model(*family, model) ? *llvm::find(family->models, model) : llvm::StringRef(),
+                  std::move(parameters), *diagnostics);
   return true;
 }
 

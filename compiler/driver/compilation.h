@@ -42,7 +42,8 @@ struct Compilation {
   void print_stats(llvm::raw_ostream &out) const;
 };
 
-/// Compiles `path` up to IR; a file whose name ends in `.ir` is IR already. Returns 0, or the exit code after messages; `done` is set where --emit printed a stage.
+/// Compiles `path` up to IR; a file whose name ends in `.ir` is IR already. Returns 0, or the exit code after messages; `done` is
+/// set where --emit printed a stage.
 int compile_list(Compilation &compilation, llvm::StringRef path, bool &done);
 
 }  // namespace ladderc::driver

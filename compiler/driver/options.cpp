@@ -34,10 +34,11 @@ cl::OptionCategory kMessages("Messages");
 #define LADDERC_LIST_COMMANDS cl::sub(kBuild), cl::sub(kEmit), cl::sub(kCheck), cl::sub(kRun), cl::sub(kBench)
 #define LADDERC_CODE_COMMANDS cl::sub(kBuild), cl::sub(kEmit), cl::sub(kRun), cl::sub(kBench), cl::sub(kTest)
 
-cl::opt<std::string> kFamily("family", cl::desc("Controller family (default melsec-qs)"), cl::value_desc("ID"), cl::init("melsec-qs"),
-                             cl::cat(kLanguage), LADDERC_LIST_COMMANDS, cl::sub(kInstructions), cl::sub(kGenerate));
-cl::opt<std::string> kModel("model", cl::desc("CPU model (default: the family's largest)"), cl::value_desc("NAME"), cl::cat(kLanguage),
-                            LADDERC_LIST_COMMANDS, cl::sub(kGenerate));
+cl::opt<std::string> kFamily("family", cl::desc("Controller family (default melsec-qs)"), cl::value_desc("ID"),
+                             cl::init("melsec-qs"), cl::cat(kLanguage), LADDERC_LIST_COMMANDS, cl::sub(kInstructions),
+                             cl::sub(kGenerate));
+cl::opt<std::string> kModel("model", cl::desc("CPU model (default: the family's largest)"), cl::value_desc("NAME"),
+                            cl::cat(kLanguage), LADDERC_LIST_COMMANDS, cl::sub(kGenerate));
 cl::opt<std::string> kParameters("parameters", cl::desc("PC parameters: device points, latch ranges, timer units"),
                                  cl::value_desc("FILE.json"), cl::cat(kLanguage), LADDERC_LIST_COMMANDS, cl::sub(kGenerate));
 cl::opt<std::string> kEncoding("encoding", cl::desc("Encoding of the list: auto, utf-8, utf-16le, gb18030, shift_jis"),
@@ -53,20 +54,20 @@ cl::opt<std::string> kNamespace("namespace", cl::desc("Namespace of the generate
                                 cl::init("plant"), cl::cat(kCode), cl::sub(kBuild), cl::sub(kEmit), cl::sub(kCheck));
 cl::list<std::string> kNoPass("no-pass", cl::desc("Do not run this pass (also --no-PASS)"), cl::value_desc("PASS"), cl::cat(kCode),
                               LADDERC_LIST_COMMANDS);
-cl::list<std::string> kPass("pass", cl::desc("Run this pass only; several run in the order given"), cl::value_desc("PASS"), cl::cat(kCode),
-                            LADDERC_LIST_COMMANDS);
+cl::list<std::string> kPass("pass", cl::desc("Run this pass only; several run in the order given"), cl::value_desc("PASS"),
+                            cl::cat(kCode), LADDERC_LIST_COMMANDS);
 cl::list<std::string> kPrintAfter("print-after", cl::desc("Print the IR after this pass, or after 'all'"), cl::value_desc("PASS"),
                                   cl::cat(kCode), LADDERC_LIST_COMMANDS);
 cl::opt<long long> kBisect("bisect", cl::desc("Make only the first N rewrites of the passes"), cl::value_desc("N"), cl::init(-1),
                            cl::cat(kCode), LADDERC_LIST_COMMANDS);
 cl::opt<bool> kStats("stats", cl::desc("Print how many rewrites each pass made, and the time of each stage"), cl::cat(kCode),
                      LADDERC_LIST_COMMANDS);
-cl::opt<std::string> kDiagnostics("diagnostics", cl::desc("Form of messages: text or json"), cl::value_desc("FORM"), cl::init("text"),
-                                  cl::cat(kMessages), LADDERC_LIST_COMMANDS);
+cl::opt<std::string> kDiagnostics("diagnostics", cl::desc("Form of messages: text or json"), cl::value_desc("FORM"),
+                                  cl::init("text"), cl::cat(kMessages), LADDERC_LIST_COMMANDS);
 cl::list<std::string> kWarn("W", cl::desc("-Wno-ID silences a warning, -Werror makes warnings errors, -Werror=ID one of them"),
                             cl::value_desc("WHAT"), cl::Prefix, cl::cat(kMessages), LADDERC_LIST_COMMANDS);
-cl::opt<unsigned> kMaxErrors("max-errors", cl::desc("Print at most N errors, 0: all (default 20)"), cl::value_desc("N"), cl::init(20),
-                             cl::cat(kMessages), LADDERC_LIST_COMMANDS);
+cl::opt<unsigned> kMaxErrors("max-errors", cl::desc("Print at most N errors, 0: all (default 20)"), cl::value_desc("N"),
+                             cl::init(20), cl::cat(kMessages), LADDERC_LIST_COMMANDS);
 
 bool read_warnings(DiagOptions &diag) {
   for (llvm::StringRef what : kWarn) {

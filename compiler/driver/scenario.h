@@ -15,20 +15,20 @@
 namespace ladderc::driver {
 
 struct ExpectedDiagnostic {
-  unsigned line = 0;      ///< 1-based, 0: anywhere
-  std::string severity;   ///< "error" or "warning"
-  std::string code;       ///< what the controller reports, or empty
+  unsigned line = 0;     ///< 1-based, 0: anywhere
+  std::string severity;  ///< "error" or "warning"
+  std::string code;      ///< what the controller reports, or empty
   std::string about;
 };
 
 struct Scenario {
-  std::string file;       ///< where it stands
+  std::string file;  ///< where it stands
   std::string name;
   std::string family, model;
-  std::string source;     ///< place in the manual
-  std::string list_name;  ///< for messages: the .il file, or the scenario's own
-  std::string list;       ///< the program as text
-  std::string parameters; ///< JSON object
+  std::string source;      ///< place in the manual
+  std::string list_name;   ///< for messages: the .il file, or the scenario's own
+  std::string list;        ///< the program as text
+  std::string parameters;  ///< JSON object
   double clock_ms = 10;
   std::string calendar;
   nlohmann::ordered_json steps;
@@ -41,7 +41,7 @@ struct Scenario {
 
 struct ScenarioResult {
   bool passed = true;
-  std::vector<std::string> messages;   ///< lines for a person
+  std::vector<std::string> messages;  ///< lines for a person
   /// Values that were not as expected: {"step", "scan", "device", "expected", "got"}, values as in the scenario.
   nlohmann::ordered_json failures = nlohmann::ordered_json::array();
   void fail(std::string text) {
@@ -56,8 +56,8 @@ struct BatchOptions {
   bool verbose = false;
 };
 
-/// Runs all scenarios: those with messages are checked here, the programs of the others are built in few compiler calls and run. Returns
-/// an error text where that failed as a whole. `results` gets one entry a scenario.
+/// Runs all scenarios: those with messages are checked here, the programs of the others are built in few compiler calls and run.
+/// Returns an error text where that failed as a whole. `results` gets one entry a scenario.
 [[nodiscard]] std::optional<std::string> run_scenarios(const std::vector<Scenario> &scenarios, const BatchOptions &options,
                                                        std::vector<ScenarioResult> &results);
 

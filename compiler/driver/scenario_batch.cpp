@@ -1,7 +1,8 @@
 // Many scenario programs in few compiler calls.
 //
-// Every program becomes a class in a namespace of its own (s0, s1, ...); the texts are joined to as many files as keep the C++ compilers busy side by side, linked with
-// one main file that holds the table of programs, and the runner reads the steps from a file. The built runner is cached by the texts.
+// Every program becomes a class in a namespace of its own (s0, s1, ...); the texts are joined to as many files as keep the C++
+// compilers busy side by side, linked with one main file that holds the table of programs, and the runner reads the steps from a
+// file. The built runner is cached by the texts.
 #include "driver/scenario.h"
 #include "emit/list_text.h"
 #include "ir/extent.h"
@@ -36,7 +37,8 @@ void check_messages(const Scenario &s, Compilation &c, ScenarioResult &result) {
   llvm::ArrayRef<Diagnostic> reported = c.diagnostics->sorted();
   auto line = [&](const Diagnostic &d) { return c.sources.position(d.range).line; };
   auto has_code = [&](const Diagnostic &d, const std::string &code) {
-    return llvm::any_of(info(d.id).references, [&](const DiagReference &r) { return r.family == s.family && r.code.contains(code); });
+    return llvm::any_of(info(d.id).references,
+                        [&](const DiagReference &r) { return r.family == s.family && r.code.contains(code); });
   };
   for (const ExpectedDiagnostic &e : s.diagnostics) {
     const Severity severity = e.severity == "warning" ? Severity::Warning : Severity::Error;
@@ -44,7 +46,8 @@ void check_messages(const Scenario &s, Compilation &c, ScenarioResult &result) {
       return d.severity == severity && (e.line == 0 || line(d) == e.line) && (e.code.empty() || has_code(d, e.code));
     });
     if (!found)
-      result.fail(fmt::format("expected an {} in line {}{}: {}", e.severity, e.line, e.code.empty() ? "" : " with code " + e.code, e.about));
+      result.fail(fmt::format("expected an {} in line {}{}: {}", e.severity, e.line, e.code.empty() ? "" : " with code " + e.code,
+                              e.about));
   }
   for (const Diagnostic &d : reported)
     if (d.severity == Severity::Error && llvm::none_of(s.diagnostics, [&](const ExpectedDiagnostic &e) {
@@ -111,7 +114,8 @@ std::string table_text(std::size_t programs) {
   return text + "  };\n  return ladder::hosted::scenario_main(argc, argv, programs);\n}\n";
 }
 
-std::optional<std::string> build_runner(const std::vector<Candidate> &candidates, const BatchOptions &options, std::string &runner) {
+std::optional<std::string> build_runner(const std::vector<Candidate> &candidates, const BatchOptions &options,
+                                        std::string &runner) {
   std::vector<std::pair<std::string, std::string>> files;
   const std::size_t per_file = std::min(kProgramsPerFile, candidates.size() / options.jobs + 1);
   for (std::size_t i = 0; i < candidates.size(); ++i) {
@@ -172,7 +176,8 @@ std::vector<std::string> writers_of(const Compilation &c, llvm::StringRef device
   const ir::Extent wanted = ir::extent(c.module, ir::to_place(operand, OperandType::Word));
   for (const bool blocks : {false, true}) {
     for (const ir::Rung &rung : c.module.routines.front().rungs) {
-      if (lines.size() >= 12 || llvm::none_of(rung.operations, [&](const ir::Operation &o) { return writes(c.module, o, wanted, blocks); }))
+      if (lines.size() >= 12 ||
+          llvm::none_of(rung.operations, [&](const ir::Operation &o) { return writes(c.module, o, wanted, blocks); }))
         continue;
       for (std::uint32_t i = 0; i < rung.instruction_count; ++i) {
         const Instruction &instruction = c.program.list.instructions[rung.first_instruction + i];
@@ -208,7 +213,8 @@ void read_results(const json &results, const std::vector<Candidate> &candidates,
     for (const json &f : r.value("failures", json::array())) {
       const std::size_t step = f.value("step", std::size_t{0});
       const std::string device = f.value("device", "");
-      result.failures.push_back({{"step", step + 1}, {"scan", f.value("scan", 0)}, {"device", device}, {"expected", f["expected"]}, {"got", f["got"]}});
+      result.failures.push_back(
+          {{"step", step + 1}, {"scan", f.value("scan", 0)}, {"device", device}, {"expected", f["expected"]}, {"got", f["got"]}});
       result.fail(fmt::format("step {}, scan {}: {} is {}, expected {}", step + 1, f.value("scan", 0), device, text_of(f, "got"),
                               text_of(f, "expected")));
       const nlohmann::ordered_json &steps = scenarios[candidates[i].scenario].steps;

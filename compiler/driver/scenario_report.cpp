@@ -67,8 +67,9 @@ std::string junit_report(const std::vector<Scenario> &scenarios, const std::vect
     cases += fmt::format(">\n    <failure message=\"{}\">{}</failure>\n  </testcase>\n",
                          xml(results[i].messages.empty() ? "" : results[i].messages.front()), xml(text));
   }
-  return fmt::format("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuite name=\"ladderc\" tests=\"{}\" failures=\"{}\">\n{}</testsuite>\n",
-                     scenarios.size(), failed, cases);
+  return fmt::format(
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuite name=\"ladderc\" tests=\"{}\" failures=\"{}\">\n{}</testsuite>\n",
+      scenarios.size(), failed, cases);
 }
 
 }  // namespace ladderc::driver

@@ -14,7 +14,7 @@ struct Extent {
   PlaceKind space = PlaceKind::Bit;  ///< Edge and Master are spaces of their own; every device place is in the Bit space
   std::uint32_t first = 0, last = 0;
   bool all = false;
-  bool none = false;                 ///< a constant
+  bool none = false;  ///< a constant
 };
 
 Extent extent(const Module &module, const Place &place);

@@ -4,13 +4,17 @@
 
 namespace ladderc::ir {
 
-bool is_value(Op op) { return op <= Op::Test; }
+bool is_value(Op op) {
+  return op <= Op::Test;
+}
 
-bool tells_step(const Operation &o) { return o.info && (o.info->error_code != 0 || o.info->style == CallStyle::System); }
+bool tells_step(const Operation &o) {
+  return o.info && (o.info->error_code != 0 || o.info->style == CallStyle::System);
+}
 
 llvm::StringRef name(Op op) {
-  static constexpr llvm::StringLiteral kNames[] = {"const",   "load", "not",   "and", "andn",  "or",   "orn", "xor", "rising",
-                                                   "falling", "test", "store", "set", "reset", "call", "run"};
+  static constexpr llvm::StringLiteral kNames[] = {"const",  "load",    "not",  "and",   "andn", "or",    "orn",  "xor",
+                                                   "rising", "falling", "test", "store", "set",  "reset", "call", "run"};
   return kNames[static_cast<unsigned>(op)];
 }
 

@@ -1,15 +1,15 @@
 // The intermediate representation: what a list does, without its stacks.
 //
-// A routine is a sequence of rungs, a rung a sequence of operations in the order of the list. Boolean results are SSA values local to
-// their rung; everything that outlives a rung is a place: a device, a private edge memory, a master control state. Effects are ordered, and a
-// load happens where its contact stands, so that a later contact sees what an earlier coil wrote in the same scan.
+// A routine is a sequence of rungs, a rung a sequence of operations in the order of the list. Boolean results are SSA values local
+// to their rung; everything that outlives a rung is a place: a device, a private edge memory, a master control state. Effects are
+// ordered, and a load happens where its contact stands, so that a later contact sees what an earlier coil wrote in the same scan.
 //
-// The IR knows no family: an application instruction is a Call or Test of a runtime function with places as arguments. Families bring
-// device classes (for printing and emission) by reference to their table.
+// The IR knows no family: an application instruction is a Call or Test of a runtime function with places as arguments. Families
+// bring device classes (for printing and emission) by reference to their table.
 #pragma once
 
-#include "support/source.h"
 #include "sema/check.h"
+#include "support/source.h"
 #include "tables/tables.h"
 
 #include "llvm/ADT/SmallVector.h"
@@ -26,15 +26,15 @@ using ValueId = std::uint32_t;
 constexpr ValueId kNoValue = ~0u;
 
 enum class PlaceKind : std::uint8_t {
-  Bit,        ///< device bit, or the contact of a timer or counter
-  WordBit,    ///< bit `bit` of a word device
-  Word,       ///< the words from `number` on; how many, the operand type says
-  Digits,     ///< `digits` groups of four bits from `number` on
-  Object,     ///< a whole timer, counter or annunciator
-  Decimal,    ///< constant, written in decimal
-  Hex,        ///< constant, written in hexadecimal
-  Edge,       ///< private edge memory `number`
-  Master,     ///< master control state of level `number`
+  Bit,      ///< device bit, or the contact of a timer or counter
+  WordBit,  ///< bit `bit` of a word device
+  Word,     ///< the words from `number` on; how many, the operand type says
+  Digits,   ///< `digits` groups of four bits from `number` on
+  Object,   ///< a whole timer, counter or annunciator
+  Decimal,  ///< constant, written in decimal
+  Hex,      ///< constant, written in hexadecimal
+  Edge,     ///< private edge memory `number`
+  Master,   ///< master control state of level `number`
 };
 
 /// Something that an operation reads or writes, or a constant.
@@ -45,7 +45,7 @@ struct Place {
   std::uint8_t digits = 0;
   std::uint8_t bit = 0;
   std::uint32_t number = 0;
-  std::int64_t value = 0;   ///< of a constant
+  std::int64_t value = 0;  ///< of a constant
 
   bool is_constant() const { return kind == PlaceKind::Decimal || kind == PlaceKind::Hex; }
   bool operator==(const Place &) const = default;
@@ -75,13 +75,13 @@ llvm::StringRef name(Op op);
 
 struct Operation {
   Op op;
-  ValueId result = kNoValue;          ///< of value operations; dense within the rung
+  ValueId result = kNoValue;  ///< of value operations; dense within the rung
   ValueId a = kNoValue, b = kNoValue;
-  bool constant = false;              ///< of Constant
+  bool constant = false;                  ///< of Constant
   const InstructionInfo *info = nullptr;  ///< the table entry of Test, Call, Run: function, style, errors
-  std::uint32_t step = 0;             ///< of the instruction that it came from
-  Place place;                        ///< of Load, Rising, Falling, Store, Set, Reset
-  llvm::SmallVector<Place, 0> inputs; ///< of Test, Call, Run
+  std::uint32_t step = 0;                 ///< of the instruction that it came from
+  Place place;                            ///< of Load, Rising, Falling, Store, Set, Reset
+  llvm::SmallVector<Place, 0> inputs;     ///< of Test, Call, Run
   llvm::SmallVector<Place, 0> outputs;
 };
 
@@ -89,17 +89,17 @@ struct Operation {
 bool tells_step(const Operation &operation);
 
 struct Rung {
-  std::uint32_t number = 0;           ///< 1-based, as sema counts
-  std::uint32_t step = 0;             ///< of its first instruction
+  std::uint32_t number = 0;                                    ///< 1-based, as sema counts
+  std::uint32_t step = 0;                                      ///< of its first instruction
   std::uint32_t first_instruction = 0, instruction_count = 0;  ///< in the list
-  SourceRange range;                  ///< of its first mnemonic
-  std::string origin;                 ///< of a rung that was read from IR text: the place that stood there, `"press.il":1`
+  SourceRange range;                                           ///< of its first mnemonic
+  std::string origin;  ///< of a rung that was read from IR text: the place that stood there, `"press.il":1`
   std::vector<Operation> operations;
-  std::uint32_t values = 0;           ///< value numbers 0 to values - 1 are used
+  std::uint32_t values = 0;  ///< value numbers 0 to values - 1 are used
 };
 
 struct EdgeMemory {
-  std::uint32_t step;                 ///< of the instruction that owns it
+  std::uint32_t step;  ///< of the instruction that owns it
 };
 
 struct Routine {
@@ -127,8 +127,8 @@ std::string to_text(const Module &module, const Operation &operation);
 /// The place that an operand of a list means in a position of that type.
 Place to_place(const Operand &operand, OperandType type);
 
-/// Checks that values are defined once and before use, dense numbering, operand counts against the table entry, and that places exist.
-/// Returns what is wrong, or an empty text.
+/// Checks that values are defined once and before use, dense numbering, operand counts against the table entry, and that places
+/// exist. Returns what is wrong, or an empty text.
 std::string verify(const Module &module);
 
 /// Reads the text form into `module`, whose family is set. On failure returns false and `error` says line and reason.

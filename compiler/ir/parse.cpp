@@ -1,7 +1,7 @@
 // Reads the text form of the IR. Used by tests and by `ladderc` on .ir files, so that a pass can be tried alone.
 //
-// Places are read with the operand reader of the lists, since they are written the same way; the table entry of a call is found by its
-// form and its numbers of inputs and outputs.
+// Places are read with the operand reader of the lists, since they are written the same way; the table entry of a call is found by
+// its form and its numbers of inputs and outputs.
 #include "ir/ir.h"
 #include "syntax/parser.h"
 
@@ -201,7 +201,8 @@ private:
     if (consume)
       line_text_ = line_text_.drop_front(word.size()).ltrim();
     place.type = type;
-    for (auto [prefix, kind] : {std::pair{llvm::StringRef("edge"), PlaceKind::Edge}, {llvm::StringRef("master"), PlaceKind::Master}})
+    for (auto [prefix, kind] :
+         {std::pair{llvm::StringRef("edge"), PlaceKind::Edge}, {llvm::StringRef("master"), PlaceKind::Master}})
       if (word.starts_with(prefix)) {
         place.kind = kind;
         return !word.drop_front(prefix.size()).getAsInteger(10, place.number) || fail("number expected");
@@ -292,13 +293,15 @@ Place to_place(const Operand &operand, OperandType type) {
     p.value = type == OperandType::DWord ? static_cast<std::int32_t>(operand.value) : static_cast<std::int16_t>(operand.value);
     break;
   default:
-    p.kind = type == OperandType::Bit ? PlaceKind::Bit
+    p.kind = type == OperandType::Bit                                                                         ? PlaceKind::Bit
              : type == OperandType::Timer || type == OperandType::Counter || type == OperandType::Annunciator ? PlaceKind::Object
                                                                                                               : PlaceKind::Word;
   }
   return p;
 }
 
-bool parse(llvm::StringRef text, Module &module, std::string &error) { return Parser(module, error).run(text); }
+bool parse(llvm::StringRef text, Module &module, std::string &error) {
+  return Parser(module, error).run(text);
+}
 
 }  // namespace ladderc::ir

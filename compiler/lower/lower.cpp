@@ -1,15 +1,16 @@
 // The symbolic stack machine.
 //
-//     LD X0 / OR Y5 / ANI X1 / OUT Y5      %0 = load X0   %1 = load Y5   %2 = or %0, %1   %3 = load X1   %4 = andn %2, %3   store Y5, %4
+//     LD X0 / OR Y5 / ANI X1 / OUT Y5      %0 = load X0   %1 = load Y5   %2 = or %0, %1   %3 = load X1   %4 = andn %2, %3   store
+//     Y5, %4
 //
-// The block stack and the branch stack of the controller hold results; here they hold value numbers, and walking the list once leaves
-// no stack. A load is made where its contact stands, so that it sees what the rung has written before it.
+// The block stack and the branch stack of the controller hold results; here they hold value numbers, and walking the list once
+// leaves no stack. A load is made where its contact stands, so that it sees what the rung has written before it.
 //
 // Master control: MC stores its condition in master control state n. Inside the region every output-type instruction acts on
-// (result and state of the innermost open level); contacts, INV and the like do not see it (an INV in the region must not turn an OUT
-// on while the master is off). The condition of an inner MC contains the outer one, so the innermost state is enough. Edge memories
-// of P forms and PLS see the condition with the master in it; those of edge contacts follow their device, those of MEP, MEF, EGP and
-// EGF the plain result.
+// (result and state of the innermost open level); contacts, INV and the like do not see it (an INV in the region must not turn an
+// OUT on while the master is off). The condition of an inner MC contains the outer one, so the innermost state is enough. Edge
+// memories of P forms and PLS see the condition with the master in it; those of edge contacts follow their device, those of MEP,
+// MEF, EGP and EGF the plain result.
 #include "lower/lower.h"
 
 namespace ladderc {
@@ -167,9 +168,7 @@ private:
   }
 
   /// MRD and MPP: the branch's result takes the place of whatever the branch before left in the block that MPS was in.
-  void restore_branch() {
-    blocks_.back() = branches_.back();
-  }
+  void restore_branch() { blocks_.back() = branches_.back(); }
 
   void lower_contact(const InstructionInfo &info) {
     ValueId value;
@@ -274,6 +273,8 @@ private:
 
 }  // namespace
 
-ir::Module lower(const CheckedProgram &program) { return Lowerer(program).run(); }
+ir::Module lower(const CheckedProgram &program) {
+  return Lowerer(program).run();
+}
 
 }  // namespace ladderc

@@ -12,7 +12,9 @@ namespace ladderc::opt {
 namespace {
 
 using Key = std::uint64_t;
-Key key(DeviceId device, std::uint32_t number) { return (Key{device} << 32) | number; }
+Key key(DeviceId device, std::uint32_t number) {
+  return (Key{device} << 32) | number;
+}
 
 /// The constant relays of the family that the program nowhere writes.
 llvm::DenseMap<Key, bool> constant_relays(const ir::Module &module) {
@@ -33,7 +35,8 @@ llvm::DenseMap<Key, bool> constant_relays(const ir::Module &module) {
             return;
           llvm::SmallVector<Key> written;
           for (const auto &entry : relays)
-            if (e.all || (DeviceId(entry.first >> 32) == e.device && std::uint32_t(entry.first) >= e.first && std::uint32_t(entry.first) <= e.last))
+            if (e.all || (DeviceId(entry.first >> 32) == e.device && std::uint32_t(entry.first) >= e.first &&
+                          std::uint32_t(entry.first) <= e.last))
               written.push_back(entry.first);
           for (Key k : written)
             relays.erase(k);

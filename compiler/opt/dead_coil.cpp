@@ -1,9 +1,9 @@
 // Dead coils.  OUT Y3 ... OUT Y3: the first store is dropped when nobody can look in between.
 //
-// "Nobody" is: no contact or operand that covers Y3 in between, no operation that can stop the program or lets the runtime look around,
-// no other store that only may cover it. Double coils are legal (the last one executed wins) and common in plants: the warning is sema's, this
-// pass only saves the store. The value of the last store of a scan is never dropped, so hosts see no difference.
-// One backward walk over the routine with the set of devices that will be overwritten before they are seen.
+// "Nobody" is: no contact or operand that covers Y3 in between, no operation that can stop the program or lets the runtime look
+// around, no other store that only may cover it. Double coils are legal (the last one executed wins) and common in plants: the
+// warning is sema's, this pass only saves the store. The value of the last store of a scan is never dropped, so hosts see no
+// difference. One backward walk over the routine with the set of devices that will be overwritten before they are seen.
 #include "ir/extent.h"
 #include "opt/pipeline.h"
 
@@ -19,7 +19,9 @@ using Key = std::uint64_t;
 bool trackable(const ir::Module &module, const ir::Place &place) {
   return place.kind == ir::PlaceKind::Bit && module.family->devices[place.device].kind == DeviceKind::Bit;
 }
-Key key(const ir::Place &place) { return (Key{place.device} << 32) | place.number; }
+Key key(const ir::Place &place) {
+  return (Key{place.device} << 32) | place.number;
+}
 
 void forget(const ir::Extent &e, llvm::DenseSet<Key> &overwritten) {
   if (e.none || e.space != ir::PlaceKind::Bit || overwritten.empty())

@@ -13,7 +13,9 @@ static constexpr Pass kPipeline[] = {
     {"dead-value", run_dead_value, 1, "results that nobody uses are dropped"},
 };
 
-llvm::ArrayRef<Pass> passes() { return kPipeline; }
+llvm::ArrayRef<Pass> passes() {
+  return kPipeline;
+}
 
 const Pass *find_pass(llvm::StringRef name) {
   const auto *found = llvm::find_if(kPipeline, [&](const Pass &pass) { return pass.name == name; });

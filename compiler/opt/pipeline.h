@@ -35,15 +35,15 @@ private:
 struct Pass {
   llvm::StringLiteral name;
   void (*run)(ir::Module &, Context &);
-  unsigned level;              ///< runs from this -O level on
-  llvm::StringLiteral what;    ///< one line for help and docs
+  unsigned level;            ///< runs from this -O level on
+  llvm::StringLiteral what;  ///< one line for help and docs
 };
 
 llvm::ArrayRef<Pass> passes();
 
 struct Options {
   unsigned level = 2;
-  llvm::StringSet<> disabled;  ///< --no-PASS
+  llvm::StringSet<> disabled;     ///< --no-PASS
   std::vector<std::string> only;  ///< --pass: these passes in this order, whatever the level; empty: the pipeline
   long long bisect = -1;
   bool verify = true;

@@ -1,8 +1,8 @@
-// Redundant loads.  LD X0 / AND X1 / OUT Y0 / LD ... in one rung: the second contact of X0 is the first one's value, as long as nothing
-// in between can have written X0.
+// Redundant loads.  LD X0 / AND X1 / OUT Y0 / LD ... in one rung: the second contact of X0 is the first one's value, as long as
+// nothing in between can have written X0.
 //
-// Works inside a rung: a rung's contacts are read together by a person, and values do not outlive their rung. A rung has few loads, so
-// the list of known ones is searched linearly; it is capped to keep monstrous rungs linear.
+// Works inside a rung: a rung's contacts are read together by a person, and values do not outlive their rung. A rung has few loads,
+// so the list of known ones is searched linearly; it is capped to keep monstrous rungs linear.
 #include "ir/extent.h"
 #include "opt/pipeline.h"
 #include "opt/replace.h"
