@@ -145,8 +145,11 @@ Expression RungEmitter::expression(const RungPlan &plan, ir::ValueId v) {
 }
 
 Expression RungEmitter::operation_text(const RungPlan &plan, const Operation &o) {
+  // g++ warns of `!a & b`, which with numbers would often be a mistake: an operand in front gets parentheses around its `!`.
+  auto in_front = [](const Expression &e, std::string text) { return e.precedence == Precedence::Not ? "(" + text + ")" : text; };
   auto binary = [&](const char *sign, Precedence precedence, bool invert_second) -> Expression {
-    const std::string a = operand_of(expression(plan, o.a), precedence);
+    const Expression first = expression(plan, o.a);
+    const std::string a = in_front(first, operand_of(first, precedence));
     const std::string b = operand_of(expression(plan, o.b), invert_second ? Precedence::Not : precedence);
     return {fmt::format("{} {} {}{}", a, sign, invert_second ? "!" : "", b), precedence};
   };
@@ -170,7 +173,7 @@ Expression RungEmitter::operation_text(const RungPlan &plan, const Operation &o)
       const bool bare = !invert && e.precedence == Precedence::Or;
       return (invert ? "!" : "") + (bare ? e.text : operand_of(e, inner));
     };
-    return {side(o.a, false) + " | " + side(o.b, o.op == Op::OrNot), Precedence::Or};
+    return {in_front(expression(plan, o.a), side(o.a, false)) + " | " + side(o.b, o.op == Op::OrNot), Precedence::Or};
   }
   case Op::Xor:
     return {fmt::format("{} ^ {}", operand_of(expression(plan, o.a), Precedence::Not),

@@ -30,7 +30,7 @@ TEST(Expression, ParenthesesStandWhereTheyAreNeeded) {
   EXPECT_EQ(statements("LD X0 / AND X1 / OR X2 / OUT Y0"), "Y[0] = (X[0] & X[1]) | X[2];\n");
   EXPECT_EQ(statements("LD X0 / LD X1 / OR X2 / INV / ORB / OUT Y0"), "Y[0] = X[0] | !(X[1] | X[2]);\n");
   EXPECT_EQ(statements("LD X0 / INV / INV / OUT Y0"), "Y[0] = !!X[0];\n");
-  EXPECT_EQ(statements("LDI X0 / LD X1 / ANI X2 / ANB / OUT Y0"), "Y[0] = !X[0] & X[1] & !X[2];\n");
+  EXPECT_EQ(statements("LDI X0 / LD X1 / ANI X2 / ANB / OUT Y0"), "Y[0] = (!X[0]) & X[1] & !X[2];\n");
   EXPECT_EQ(statements("LD X0 / RST Y0"), "Y[0] &= !X[0];\n");
   EXPECT_EQ(statements("LD X0 / OR X1 / RST Y0"), "Y[0] &= !(X[0] | X[1]);\n");
   EXPECT_EQ(statements("LD X0 / OR X1 / FF Y0"), "Y[0] ^= rising(edge[0], X[0] | X[1]);\n");
