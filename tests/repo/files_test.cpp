@@ -1,4 +1,5 @@
-// Rules for every file: nothing depends on what is not here, folders and sources say what they are, and none grows too long to read.
+// Rules for every file: nothing depends on what is not here, folders and sources say what they are, and none grows too long to
+// read.
 #include "files.h"
 
 #include <gtest/gtest.h>
