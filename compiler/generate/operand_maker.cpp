@@ -155,8 +155,20 @@ std::optional<Operand> OperandMaker::operand(const OperandInfo &info) {
   return std::nullopt;
 }
 
+/// Two blocks of one class, close to each other.
+void OperandMaker::overlap_blocks(const InstructionInfo &info, std::vector<Operand> &operands) {
+  if (operands.size() < 2 || info.operands[0].type != OperandType::WordBlock || info.operands[1].type != OperandType::WordBlock)
+    return;
+  Operand moved = operands[0];
+  moved.value += random_.between(-3, 3);
+  if (in_place(info.operands[1], moved))
+    operands[1] = moved;
+}
+
 /// Digit counts that must agree do, and blocks of a length that the list tells stay in their class.
 void OperandMaker::fit_blocks(const InstructionInfo &info, std::vector<Operand> &operands, bool tame) {
+  if (random_.one_in(2))
+    overlap_blocks(info, operands);
   if (info.equal_digits && operands[0].kind == OperandKind::Digits && operands[1].kind == OperandKind::Digits)
     operands[1].digits = operands[0].digits;
   std::uint32_t most = UINT32_MAX;

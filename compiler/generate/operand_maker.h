@@ -32,6 +32,7 @@ private:
   bool in_place(const OperandInfo &info, const Operand &operand) const;
   bool may_write(const Operand &operand, std::uint32_t count) const;
   DeviceId device_of(DeviceSet set);
+  void overlap_blocks(const InstructionInfo &info, std::vector<Operand> &operands);
   void fit_blocks(const InstructionInfo &info, std::vector<Operand> &operands, bool tame);
   std::string text(const Operand &operand) const;
   std::uint32_t points(DeviceId device) const { return options_.parameters.points[device]; }
