@@ -11,7 +11,7 @@ sh cmake/packages.sh
 
 echo "== Building ladderc"
 cmake --preset default
-cmake --build --preset default -j "${LADDERC_JOBS:-2}" --target ladderc ladderc_compiler_link
+cmake --build --preset default -j "${LADDERC_JOBS:-2}" --target ladderc ladderc_bin_link
 
 list=samples/conveyor/conveyor.il
 program=build/quickstart/conveyor
