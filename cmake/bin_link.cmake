@@ -1,5 +1,5 @@
-# LADDERC_BIN_LINK: the presets build in folders of their own and all leave build/bin, a link to the programs built last; so the compiler
-# is build/bin/ladderc whatever the preset.
+# LADDERC_BIN_LINK: the presets build in folders of their own and all leave build/bin, a link to the programs built last; so the
+# compiler is build/bin/ladderc whatever the preset.
 if(NOT LADDERC_BIN_LINK)
   return()
 endif()

@@ -1,5 +1,5 @@
-# cmake --install: ladderc, the runtime's headers and library, and the CMake package with which other projects use them. The compiler looks
-# for include/ and lib/ beside its own folder, so that the installed tree can be moved as a whole.
+# cmake --install: ladderc, the runtime's headers and library, and the CMake package with which other projects use them. The compiler
+# looks for include/ and lib/ beside its own folder, so that the installed tree can be moved as a whole.
 include(CMakePackageConfigHelpers)
 
 set(LADDERC_PACKAGE_FOLDER lib/cmake/ladderc)

@@ -3,7 +3,8 @@
 # quickstart.sh, or run by itself. Needs root or sudo only where something is missing.
 set -eu
 
-# The C++ compiler is g++; clang++ compiles the generated programs in the tests. zstd, curl and zlib are asked for by LLVM's CMake package.
+# The C++ compiler is g++; clang++ compiles the generated programs in the tests. zstd, curl and zlib are what LLVM's CMake package asks
+# for.
 packages="
   g++ clang binutils make cmake ninja-build
   llvm-19-dev libzstd-dev libcurl4-openssl-dev zlib1g-dev

@@ -1,6 +1,7 @@
 #!/bin/sh
-# From a fresh Debian 12 to a mnemonic list that runs: installs what is missing, builds ladderc, compiles a sample to a native program and
-# runs it for some seconds of its own clock with buttons pressed. Works from any folder. LADDERC_JOBS: compilers side by side, default 2.
+# From a fresh Debian 12 to a mnemonic list that runs: installs what is missing, builds ladderc, compiles a sample to a native program
+# and runs it for some seconds of its own clock with buttons pressed. Works from any folder. LADDERC_JOBS: compilers side by side,
+# default 2.
 set -eu
 
 root=$(cd "$(dirname "$0")/.." && pwd)

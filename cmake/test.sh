@@ -1,12 +1,15 @@
 #!/bin/sh
-# Everything that must pass before a change lands: installs what is missing, builds, and runs all tests, once with the sanitizers and once
-# as users build. Works from any folder and in a fresh clone. LADDERC_JOBS: compilers and tests side by side, default 2.
+# Everything that must pass before a change lands: installs what is missing, builds, and runs all tests, once with the sanitizers and
+# once as users build. Works from any folder and in a fresh clone. LADDERC_JOBS: compilers and tests side by side, default 2.
 set -eu
 
 root=$(cd "$(dirname "$0")/.." && pwd)
 cd "$root"
 jobs=${LADDERC_JOBS:-2}
 started=$(date +%s)
+
+# Where ccache is installed, objects of another clone count too.
+export CCACHE_BASEDIR="$root" CCACHE_NOHASHDIR=1
 
 step() {
   echo

@@ -1,6 +1,7 @@
 # cmake -P emit_program.cmake -- FOLDER LADDERC LIST OPTIONS...: writes the C++ of a list, and the two files that a build compiles.
 #
-# How many files a program has depends on its length, which a build tool wants to know before; so these two include whatever was written.
+# How many files a program has depends on its length, which a build tool wants to know before; so these two include whatever was
+# written.
 set(words)
 set(seen FALSE)
 math(EXPR last "${CMAKE_ARGC} - 1")

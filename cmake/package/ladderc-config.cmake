@@ -6,8 +6,9 @@
 #
 #   ladderc_add_program(TARGET LIST [FAMILY id] [MODEL name] [PARAMETERS file] [NAMESPACE name] [OPTIONS ...])
 #
-# adds the static library TARGET with the program of the list, for `#include "<list>.h"`, and TARGET_symbols with its names for hosts that
-# look at devices by name. The list is compiled in the build, whenever it, its parameters or ladderc changed. OPTIONS go to `ladderc emit`.
+# adds the static library TARGET with the program of the list, for `#include "<list>.h"`, and TARGET_symbols with its names for hosts
+# that look at devices by name. The list is compiled in the build, whenever it, its parameters or ladderc changed. OPTIONS go to
+# `ladderc emit`.
 get_filename_component(ladderc_prefix "${CMAKE_CURRENT_LIST_DIR}/../../.." ABSOLUTE)
 set(ladderc_package_folder ${CMAKE_CURRENT_LIST_DIR})
 
@@ -28,7 +29,8 @@ endif()
 function(ladderc_add_program target list)
   cmake_parse_arguments(PARSE_ARGV 2 ARG "" "FAMILY;MODEL;PARAMETERS;NAMESPACE" "OPTIONS")
   if(ARG_UNPARSED_ARGUMENTS)
-    message(FATAL_ERROR "ladderc_add_program(${target}): '${ARG_UNPARSED_ARGUMENTS}' is none of FAMILY, MODEL, PARAMETERS, NAMESPACE, OPTIONS")
+    message(FATAL_ERROR
+      "ladderc_add_program(${target}): '${ARG_UNPARSED_ARGUMENTS}' is none of FAMILY, MODEL, PARAMETERS, NAMESPACE, OPTIONS")
   endif()
   get_filename_component(list ${list} ABSOLUTE)
   set(folder ${CMAKE_CURRENT_BINARY_DIR}/${target}.ladderc)
@@ -50,7 +52,8 @@ function(ladderc_add_program target list)
   endif()
 
   add_custom_command(OUTPUT ${folder}/all_program.cpp ${folder}/all_symbols.cpp
-    COMMAND ${CMAKE_COMMAND} -P ${ladderc_package_folder}/emit_program.cmake -- ${folder} $<TARGET_FILE:ladderc::ladderc> ${list} ${arguments}
+    COMMAND ${CMAKE_COMMAND} -P ${ladderc_package_folder}/emit_program.cmake --
+            ${folder} $<TARGET_FILE:ladderc::ladderc> ${list} ${arguments}
     DEPENDS ${inputs} $<TARGET_FILE:ladderc::ladderc> ${ladderc_package_folder}/emit_program.cmake
     COMMENT "Compiling ${list}" VERBATIM)
   add_library(${target} STATIC ${folder}/all_program.cpp)
