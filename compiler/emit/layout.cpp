@@ -1,6 +1,7 @@
 // Image sizes, functions and files.
 #include "emit/layout.h"
 
+#include "emit/places.h"
 #include "emit/rung.h"
 #include "ir/extent.h"
 
@@ -45,6 +46,9 @@ Layout make_layout(const ir::Module &module, const Parameters &parameters, const
       for (const ir::Place &p : o.outputs)
         reach(module, parameters, p, layout.count);
     }
+  for (const std::vector<InitialValue> *values : {&parameters.initial_values, &parameters.latched_values})
+    for (const InitialValue &value : *values)
+      reach(module, parameters, place_of(*module.family, value), layout.count);
   std::size_t total = 0;
   for (const ir::Rung &rung : rungs)
     total += rung.operations.size();

@@ -5,6 +5,7 @@
 #include "emit/places.h"
 
 #include "ir/extent.h"
+#include "syntax/parser.h"
 
 #include <fmt/format.h>
 
@@ -84,6 +85,14 @@ std::string subscript(const DeviceInfo &device, std::uint32_t number) {
   if (device.radix == 8 && number > 7)
     return fmt::format("oct({:o})", number);
   return fmt::format("{}", number);
+}
+
+ir::Place place_of(const FamilyInfo &family, const InitialValue &value) {
+  const auto [name, suffix] = llvm::StringRef(value.device).split(':');
+  const Operand operand = parse_operand(family, name, {});
+  const bool bit = operand.kind == OperandKind::BitOfWord ||
+                   (operand.kind == OperandKind::Device && family.devices[operand.device].kind == DeviceKind::Bit);
+  return ir::to_place(operand, bit ? OperandType::Bit : suffix.empty() ? OperandType::Word : OperandType::DWord);
 }
 
 std::string bit_text(const PlaceContext &context, const Place &place) {

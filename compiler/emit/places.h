@@ -23,6 +23,8 @@ std::string input_text(const PlaceContext &context, const ir::Place &place);
 std::string output_text(const PlaceContext &context, const ir::Place &place);
 /// A timer or counter as an object: `T[0]`; an annunciator as two arguments: `F, 12`.
 std::string object_text(const PlaceContext &context, const ir::Place &place);
+/// Where an initial value is written: a bit, a word or a pair.
+ir::Place place_of(const FamilyInfo &family, const InitialValue &value);
 /// A device number as its subscript: 12, 0x1F.
 std::string subscript(const DeviceInfo &device, std::uint32_t number);
 

@@ -2,7 +2,6 @@
 #include "emit/frame.h"
 #include "emit/list_text.h"
 #include "emit/names.h"
-#include "syntax/parser.h"
 
 #include "llvm/ADT/STLExtras.h"
 #include "llvm/Support/Path.h"
@@ -101,15 +100,8 @@ void write_clear(const Frame &frame, Writer &out) {
 
 void write_initial_values(const Frame &frame, Writer &out) {
   for (const InitialValue &initial : frame.program.parameters.initial_values) {
-    const llvm::StringRef written(initial.device);
-    const bool wide = written.ends_with(":d") || written.ends_with(":u");
-    const Operand operand = parse_operand(*frame.program.family, written.split(':').first, {});
-    const bool bit =
-        operand.kind == OperandKind::BitOfWord || frame.program.family->devices[operand.device].kind == DeviceKind::Bit;
-    const ir::Place place = ir::to_place(operand, bit ? OperandType::Bit : wide ? OperandType::DWord : OperandType::Word);
-    if (operand.value >= frame.layout.count[operand.device])
-      continue;  // the program never looks at it
-    if (bit)
+    const ir::Place place = place_of(*frame.program.family, initial);
+    if (place.type == OperandType::Bit)
       out.line("{} = {};", bit_text(frame.places, place), initial.value ? "on" : "off");
     else
       out.line("{} = {};", output_text(frame.places, place), initial.value);

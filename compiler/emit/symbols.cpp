@@ -2,7 +2,6 @@
 #include "emit/frame.h"
 #include "emit/list_text.h"
 #include "emit/names.h"
-#include "syntax/parser.h"
 
 #include "llvm/Support/Path.h"
 
@@ -57,15 +56,8 @@ unsigned write_steps(const Frame &frame, Writer &out) {
 
 void write_latched(const Frame &frame, Writer &out) {
   for (const InitialValue &value : frame.program.parameters.latched_values) {
-    const llvm::StringRef written(value.device);
-    const Operand operand = parse_operand(*frame.program.family, written.split(':').first, {});
-    if (operand.value >= frame.layout.count[operand.device])
-      continue;
-    const bool bit = frame.program.family->devices[operand.device].kind == DeviceKind::Bit;
-    const ir::Place place = ir::to_place(operand, bit                     ? OperandType::Bit
-                                                  : written.contains(':') ? OperandType::DWord
-                                                                          : OperandType::Word);
-    if (bit)
+    const ir::Place place = place_of(*frame.program.family, value);
+    if (place.type == OperandType::Bit)
       out.line("program->{} = ladder::bit({});", bit_text(frame.places, place), value.value ? "true" : "false");
     else
       out.line("program->{} = {};", output_text(frame.places, place), value.value);

@@ -37,6 +37,7 @@ std::string RungMaker::list() {
 
 void RungMaker::rung() {
   ++rungs_;
+  edge_relay_ = false;
   filler(Placement::BetweenRungs);
   block(2);
   outputs(3);
@@ -52,6 +53,7 @@ unsigned RungMaker::region(unsigned first_level, unsigned depth) {
     return first_level;
   }
   ++rungs_;
+  edge_relay_ = false;
   block(1);
   if (random_.one_in(4))
     output();
@@ -103,11 +105,11 @@ void RungMaker::more(unsigned depth) {
     instruction(catalogue_.pick(random_, Placement::Series));
     return;
   case 3:
-    instruction(catalogue_.pick(random_, Placement::Parallel));
+    instruction(catalogue_.pick(random_, edge_relay_ ? Placement::Series : Placement::Parallel));
     return;
   default:
     block(depth - 1);
-    instruction(catalogue_.pick(random_, Placement::JoinBlocks));
+    instruction(edge_relay_ ? catalogue_.find(Lowering::AndBlock) : catalogue_.pick(random_, Placement::JoinBlocks));
   }
 }
 
@@ -196,6 +198,7 @@ bool RungMaker::instruction(const InstructionInfo *info, bool tame) {
 }
 
 void RungMaker::line(const InstructionInfo &info, llvm::ArrayRef<std::string> operands) {
+  edge_relay_ |= info.lowering == Lowering::EdgeRelay;
   if (info.placement != Placement::Anywhere)
     behind_output_ = info.placement == Placement::Output;
   const bool alias = !info.aliases.empty() && random_.one_in(6);

@@ -35,6 +35,7 @@ private:
   std::string text_;
   unsigned rungs_ = 0;
   unsigned open_branches_ = 0;
+  bool edge_relay_ = false;     ///< the rung has one: its result must not become a parallel branch
   bool behind_output_ = false;  ///< an output stands directly before
 };
 

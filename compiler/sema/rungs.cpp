@@ -34,6 +34,7 @@ void Rungs::place(InstructionIndex index, Placement placement) {
     Lowering lowering = context_.instruction(index).info->lowering;
     bool contact = lowering == Lowering::Contact || lowering == Lowering::CompareContact;
     need_block(index, contact ? DiagId::NoOpenBlock : DiagId::NeedsCondition);
+    check_edge_relay(index, placement);
     return leave_result(index);
   }
   case Placement::JoinBlocks:
@@ -78,6 +79,7 @@ void Rungs::start(InstructionIndex index) {
 void Rungs::join(InstructionIndex index) {
   continue_rung(index);
   if (blocks_.size() >= 2) {
+    check_edge_relay(index, Placement::JoinBlocks);
     blocks_.pop_back();
   } else if (goes_on_from_rung_before(index)) {
     go_on_from_rung_before(index);
@@ -90,6 +92,26 @@ void Rungs::join(InstructionIndex index) {
       blocks_.push_back({index, false});
   }
   leave_result(index);
+}
+
+/// An edge relay works on the line as a whole: what it leaves may go on in series, but not become one of several parallel branches.
+void Rungs::check_edge_relay(InstructionIndex index, Placement placement) {
+  const Lowering lowering = context_.instruction(index).info->lowering;
+  Block &block = blocks_.back();
+  if (lowering == Lowering::EdgeRelay) {
+    block.edge_relay = index;
+    return;
+  }
+  InstructionIndex relay = block.edge_relay;
+  if (placement == Placement::JoinBlocks) {
+    Block &first = blocks_[blocks_.size() - 2];
+    if (relay == kNoInstruction)
+      relay = first.edge_relay;
+    first.edge_relay = relay;
+  }
+  if (relay != kNoInstruction && (placement == Placement::Parallel || lowering == Lowering::OrBlock))
+    if (auto diagnostic = fail(DiagId::EdgeRelayInParallel, relay))
+      diagnostic->note(DiagId::ParallelHere, context_.instruction(index).range);
 }
 
 /// A block of several contacts directly behind an output, and an ANB that has nothing else to join it to.
@@ -116,7 +138,7 @@ void Rungs::push_branch(InstructionIndex index) {
       diagnostic->arg("count", static_cast<long long>(branches_.size() + 1))
           .arg("max", max)
           .note(DiagId::OpenBranchSince, context_.instruction(branches_.front().opened_by).range);
-  branches_.push_back({index, blocks_.size()});
+  branches_.push_back({index, blocks_.size(), blocks_.back().edge_relay});
   leave_result(index);
 }
 
@@ -135,6 +157,8 @@ void Rungs::read_branch(InstructionIndex index, bool pop) {
       report_open_block(blocks_[depth].opened_by, index);
       blocks_.truncate(depth);
     }
+    if (!blocks_.empty())
+      blocks_.back().edge_relay = branches_.back().edge_relay;
     if (pop) {
       branches_.pop_back();
       last_pop_ = index;

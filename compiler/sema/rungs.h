@@ -23,10 +23,12 @@ private:
   struct Block {
     InstructionIndex opened_by;
     bool after_output;  ///< an output stands directly before, so that this may be the next rung behind a branch that was left open
+    InstructionIndex edge_relay = kNoInstruction;  ///< the last EGP or EGF that its result has gone through
   };
   struct Branch {
     InstructionIndex opened_by;
     std::size_t depth;  ///< blocks that were open
+    InstructionIndex edge_relay = kNoInstruction;  ///< of the block whose result is kept
   };
   /// The end of the rung before, while this rung has no output and may yet turn out to go on from there.
   struct Continuation {
@@ -41,6 +43,7 @@ private:
   void place(InstructionIndex index, Placement placement);
   void start(InstructionIndex index);
   void join(InstructionIndex index);
+  void check_edge_relay(InstructionIndex index, Placement placement);
   bool goes_on_from_rung_before(InstructionIndex index) const;
   void go_on_from_rung_before(InstructionIndex index);
   void push_branch(InstructionIndex index);

@@ -270,6 +270,14 @@ other's results as edges.}];
   let right = "LD X0\nEGP V0\nOUT Y0\nLD X1\nEGP V1\nOUT Y1\nEND\n";
   let references = [QS<"5.2.5">];
 }
+def EdgeRelayInParallel : Error<"edge-relay-in-parallel", "the result of {mnemonic} becomes one of several parallel branches"> {
+  let explanation = [{EGP and EGF stand where AND stands, on the line that leads to the output. They cannot stand in a branch that is
+joined to others by OR or ORB. Put them behind the parallel block, or use the edge contacts LDP, ORP and so on inside of it.}];
+  let wrong = "LD X0\nEGP V0\nOR X1\nOUT Y0\nEND\n";
+  let right = "LD X0\nOR X1\nEGP V0\nOUT Y0\nEND\n";
+  let references = [QS<"5.2.5">];
+}
+def ParallelHere : Note<"parallel-here", "it is joined to the other branch here">;
 def SpecialReadOnly : Warning<"special-read-only", "{mnemonic} writes {device} ({title}), which the system sets"> {
   let explanation = [{The system sets this special relay or register; what the program writes there is lost or misleads whoever reads it.}];
   let wrong = "LD X0\nOUT SM400\nEND\n";

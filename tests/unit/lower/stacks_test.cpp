@@ -50,7 +50,7 @@ private:
     case 0:
       return "INV\n";
     case 1:
-      return below(3) ? "MEP\n" : "EGF V0\n";
+      return below(3) ? "MEP\n" : "MEF\n";
     case 6:
     case 7:
       return block(depth - 1) + "ANB\n";
