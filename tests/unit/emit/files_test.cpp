@@ -90,12 +90,12 @@ TEST(Files, InitialValuesAreWrittenAtPowerOnAndWhenRunBegins) {
   auto c = compile_rungs("LD M3 / MOV D0 D5 / DMOV D10 D20",
                          R"({"device_initial_values": {"D0": -7, "M3": 1, "D10:d": 70000, "D900": 1}})");
   const std::string text = file(files_of(*c), "test.cpp");
-  for (const char *line : {"  D[0] = -7;\n", "  M[3] = on;\n", "  D.pair(10) = 70000;\n"}) {
+  // D900 has memory because of its value alone: the host may look at it.
+  for (const char *line : {"  D[0] = -7;\n", "  M[3] = on;\n", "  D.pair(10) = 70000;\n", "  D[900] = 1;\n"}) {
     const std::size_t first = text.find(line);
     ASSERT_NE(first, std::string::npos) << line;
     EXPECT_NE(text.find(line, first + 1), std::string::npos) << line << " at STOP to RUN";
   }
-  EXPECT_THAT(text, Not(HasSubstr("D[900]"))) << "the program never looks at it";
 }
 
 TEST(Files, ParametersOfTheSystem) {
