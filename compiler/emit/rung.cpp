@@ -166,14 +166,13 @@ Expression RungEmitter::operation_text(const RungPlan &plan, const Operation &o)
     return binary("&", Precedence::And, true);
   case Op::Or:
   case Op::OrNot: {
-    // Compilers ask for parentheses around `&` inside of `|`.
-    const Precedence inner = Precedence::Not;
-    auto side = [&](ir::ValueId v, bool invert) {
-      const Expression e = expression(plan, v);
+    // Compilers ask for parentheses around `&` inside of `|`. Each side is written once: chains of OR are long.
+    auto side = [](const Expression &e, bool invert) {
       const bool bare = !invert && e.precedence == Precedence::Or;
-      return (invert ? "!" : "") + (bare ? e.text : operand_of(e, inner));
+      return (invert ? "!" : "") + (bare ? e.text : operand_of(e, Precedence::Not));
     };
-    return {in_front(expression(plan, o.a), side(o.a, false)) + " | " + side(o.b, o.op == Op::OrNot), Precedence::Or};
+    const Expression first = expression(plan, o.a), second = expression(plan, o.b);
+    return {in_front(first, side(first, false)) + " | " + side(second, o.op == Op::OrNot), Precedence::Or};
   }
   case Op::Xor:
     return {fmt::format("{} ^ {}", operand_of(expression(plan, o.a), Precedence::Not),
