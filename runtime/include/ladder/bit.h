@@ -27,9 +27,9 @@ public:
   /// 0 or 1.
   constexpr std::uint8_t value() const noexcept { return value_; }
 
-  constexpr bit &operator&=(bit other) noexcept { return *this = lowest_of(value_ & other.value_); }
-  constexpr bit &operator|=(bit other) noexcept { return *this = lowest_of(value_ | other.value_); }
-  constexpr bit &operator^=(bit other) noexcept { return *this = lowest_of(value_ ^ other.value_); }
+  constexpr bit &operator&=(bit other) noexcept { value_ = static_cast<std::uint8_t>(value_ & other.value_); return *this; }
+  constexpr bit &operator|=(bit other) noexcept { value_ = static_cast<std::uint8_t>(value_ | other.value_); return *this; }
+  constexpr bit &operator^=(bit other) noexcept { value_ = static_cast<std::uint8_t>(value_ ^ other.value_); return *this; }
 
 private:
   std::uint8_t value_ = 0;
@@ -48,7 +48,7 @@ constexpr bit operator^(bit a, bit b) noexcept {
   return a ^= b;
 }
 constexpr bit operator!(bit a) noexcept {
-  return bit::lowest_of(a.value() ^ 1U);
+  return bit(a.value() == 0);
 }
 constexpr bool operator==(bit a, bit b) noexcept {
   return a.value() == b.value();
