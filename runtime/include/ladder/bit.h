@@ -27,9 +27,18 @@ public:
   /// 0 or 1.
   constexpr std::uint8_t value() const noexcept { return value_; }
 
-  constexpr bit &operator&=(bit other) noexcept { value_ = static_cast<std::uint8_t>(value_ & other.value_); return *this; }
-  constexpr bit &operator|=(bit other) noexcept { value_ = static_cast<std::uint8_t>(value_ | other.value_); return *this; }
-  constexpr bit &operator^=(bit other) noexcept { value_ = static_cast<std::uint8_t>(value_ ^ other.value_); return *this; }
+  constexpr bit &operator&=(bit other) noexcept {
+    value_ = static_cast<std::uint8_t>(value_ & other.value_);
+    return *this;
+  }
+  constexpr bit &operator|=(bit other) noexcept {
+    value_ = static_cast<std::uint8_t>(value_ | other.value_);
+    return *this;
+  }
+  constexpr bit &operator^=(bit other) noexcept {
+    value_ = static_cast<std::uint8_t>(value_ ^ other.value_);
+    return *this;
+  }
 
 private:
   std::uint8_t value_ = 0;
