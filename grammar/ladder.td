@@ -9,11 +9,14 @@ def Bit : DeviceKind<"Bit">;
 def Word : DeviceKind<"Word">;
 def TimerDevice : DeviceKind<"Timer">;
 def CounterDevice : DeviceKind<"Counter">;
+def LongCounterDevice : DeviceKind<"LongCounter">;
 def Nesting : DeviceKind<"Nesting">;
 def LabelDevice : DeviceKind<"Label">;
 def IndexDevice : DeviceKind<"Index">;
 
 class Points<string m, int n> { string model = m; int points = n; }
+// Numbers first to last, inclusive, on a model; "" is all models.
+class Numbers<int f, int l, string m = ""> { string model = m; int first = f; int last = l; }
 
 // One device class: prefix as written, radix of the number, default points.
 class Device<string p, string t, DeviceKind k, int r, int n> {
@@ -29,6 +32,14 @@ class Device<string p, string t, DeviceKind k, int r, int n> {
   int memoryOrder = 0;
   string image = p;
   int pointsRegister = -1;
+  string container = "";       // runtime class template of the image, without ladder::
+  string beginHook = "";       // function of System that gets the image before the program
+  string endHook = "";         // ... and behind it
+  int first = 0;               // lowest number; points counts from there
+  int nameDigits = 1;          // names have at least so many digits
+  string highWords = "";       // prefix of the class that holds the high words of pairs: "V" of Z
+  list<Numbers> missing = [];  // numbers that do not exist
+  list<Numbers> latched = [];  // kept over power-off and STOP unless the parameters say otherwise
   string behaviour = "";
   string section = "";
 }
@@ -67,6 +78,12 @@ def OpAnnunciator : OperandType<"Annunciator">;
 def OpLevel : OperandType<"Level">;
 def OpNumber : OperandType<"Number">;
 def OpLabel : OperandType<"Label">;
+def OpReal : OperandType<"Real">;
+def OpDWordBlock : OperandType<"DWordBlock">;
+def OpBitRun : OperandType<"BitRun">;
+def OpBitTarget : OperandType<"BitTarget">;
+def OpLongCounter : OperandType<"LongCounter">;
+def OpString : OperandType<"String">;
 
 // Which devices may stand in an operand position: as they are, by a bit (D0.5), by digits (K4X0).
 class Classes<list<Device> plain, list<Device> bitsOf = [], list<Device> digitsOf = []> {
@@ -85,6 +102,10 @@ class Operand<string n, string dir, OperandType t, Classes c> {
   int min = 0;              // of a constant, as a signed number; both 0: the range of the type. H constants must fit the width,
   int max = 0;              // then count as the signed number of that bit pattern. Of a level: its first and last number
   string note = "";
+  bit indexable = 0;        // D20V0, K30V0, P0Z0
+  int first = 0;            // only device numbers first to last fit; both 0: all
+  int last = 0;
+  int count = 0;            // of a block or bit run whose length is fixed
 }
 
 // ---------------------------------------------------------------------------------------------- instructions
@@ -96,17 +117,19 @@ def FallingEdge : Execution<"FallingEdge">;
 
 class Placement<string n> { string cpp = n; }
 foreach p = ["Start", "Series", "Parallel", "JoinBlocks", "PushBranch", "ReadBranch", "PopBranch", "Output", "Alone", "Anywhere",
-             "BetweenRungs", "End"] in
+             "BetweenRungs", "End", "Label"] in
 def At # p : Placement<p>;
 
 class Lowering<string n> { string cpp = n; }
 foreach l = ["Contact", "CompareContact", "AndBlock", "OrBlock", "PushBranch", "ReadBranch", "PopBranch", "Invert", "EdgeOfResult",
              "EdgeRelay", "Store", "Set", "Reset", "PulseStore", "Toggle", "MasterControl", "MasterControlReset", "Call",
-             "CallWithResult", "Nothing", "End"] in
+             "CallWithResult", "Nothing", "End", "StoreInverted", "Label", "InterruptLabel", "Jump", "CallRoutine", "Return",
+             "InterruptReturn", "MainEnd", "Loop", "LoopEnd", "Skip", "SkipEnd", "BusStart", "BusEnd", "State", "StateEnd",
+             "Transfer"] in
 def Lower # l : Lowering<l>;
 
 class CallStyle<string n> { string cpp = n; }
-foreach s = ["None", "Value", "Status", "Void", "Method", "System"] in
+foreach s = ["None", "Value", "Status", "Void", "Method", "System", "Memory"] in
 def Style # s : CallStyle<s>;
 
 class Time<int ns, string when = "", string dev = ""> { int nanoseconds = ns; string condition = when; string device = dev; }
@@ -148,6 +171,12 @@ class Instruction<string f, string m> {
   int stepsSubset = 0;        // where every operand qualifies for subset processing; 0: as steps
   bit equalDigits = 0;
   list<Time> times = [];
+  int number = -1;            // function number: F12 is MOV
+  bit wide = 0;               // its D form
+  bit passesSystem = 0;       // the function takes `sys` as its last argument
+  int maxUses = 0;            // so many may stand in a program, all forms of the mnemonic together; 0: any number
+  Lowering transferOutside = LowerNothing;  // of LowerTransfer: LowerSet or LowerStore
+  bit seesDevices = 0;        // reads or writes devices that are not among its operands
 }
 
 // The backend is run once per family file, grammar/<family>.td, which has one Family record: every Instruction, Special and
@@ -168,4 +197,15 @@ class Family<string i, string t, string man> {
   int ioRefreshNs = 0;
   int ioRefreshPointNs = 0;
   int notExecutedStepNs = 0;
+  string ops = "ops";          // namespace of the runtime functions
+  bit errorsStop = 1;          // an operation error stops the CPU
+  bit firstScanPulses = 1;     // P forms act in the first scan
+  bit clearsOnStop = 0;        // RUN to STOP clears what is not latched
+  bit spacedOperands = 0;      // `S 20` is S20
+  int warnedBranches = 0;      // outstanding MPS from which on a warning is due
+  int maxLoops = 0;
+  int maxCalls = 0;
+  int maxMerge = 0;            // STL in succession
+  int endLabel = -1;           // P63
+  string base = "";            // id of the family whose instructions it shares
 }

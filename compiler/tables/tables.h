@@ -24,6 +24,7 @@ enum class DeviceKind : std::uint8_t {
   Word,     ///< 16 bits a number: D, W
   Timer,    ///< contact, coil and a 16-bit current value
   Counter,  ///< contact, coil and a 16-bit current value
+  LongCounter,  ///< contact, coil and a 32-bit current value
   Nesting,  ///< a level number, no memory: N
   Label,    ///< a jump, call or interrupt target, no memory: P, I
   Index,    ///< index register: Z, V of TP03
@@ -34,13 +35,19 @@ struct ModelPoints {
   std::uint32_t points;
 };
 
+/// Numbers `first` to `last`, inclusive, of a device class on one model, or on all of them where `model` is empty.
+struct ModelNumbers {
+  llvm::StringRef model;
+  std::uint32_t first, last;
+};
+
 /// One device class of a family.
 struct DeviceInfo {
   llvm::StringRef prefix;    ///< as written before the number: "X", "SM"
   llvm::StringRef title;     ///< "input"
   DeviceKind kind;
   std::uint8_t radix;        ///< of the number: 8, 10 or 16
-  std::uint32_t points;      ///< default allocation of the largest model; numbers run from 0 to points - 1
+  std::uint32_t points;      ///< default allocation of the largest model; numbers run from first to first + points - 1
   llvm::ArrayRef<ModelPoints> model_points;  ///< where a model differs
   bool bit_of_word;          ///< `D0.5` exists
   bool external_input;       ///< refreshed from terminals before the scan
@@ -51,6 +58,13 @@ struct DeviceInfo {
   std::int32_t points_register;  ///< number of the special register that tells the allocated points, -1: none
   llvm::StringRef behaviour; ///< one or two sentences for the documentation
   llvm::StringRef section;   ///< of the manual
+  llvm::StringRef container; ///< runtime class template of the image, without `ladder::`; empty: by the kind
+  llvm::StringRef begin_hook, end_hook;  ///< functions of System that get the image before and after the program; empty: none
+  std::uint32_t first = 0;   ///< lowest number; two classes may share a prefix where their numbers do not (M0 on, M8000 on)
+  std::uint8_t name_digits = 1;  ///< names are written with at least so many digits: I001
+  DeviceId high_words = kNoDevice;  ///< the class of equal numbers that holds the high word of a pair: V for Z
+  llvm::ArrayRef<ModelNumbers> missing;  ///< numbers inside the range that do not exist
+  llvm::ArrayRef<ModelNumbers> latched;  ///< kept over power-off and STOP unless the parameters say otherwise
 };
 
 enum class Direction : std::uint8_t { In, Out, InOut };
@@ -70,6 +84,12 @@ enum class OperandType : std::uint8_t {
   Level,      ///< a nesting level
   Number,     ///< a constant that is not data: a page number
   Label,      ///< a jump or call target
+  Real,       ///< an IEEE-754 single in two consecutive words, or a K or H constant, which is converted
+  DWordBlock, ///< the first of a run of 32-bit values
+  BitRun,     ///< the first of a run of bits whose length the instruction or another operand gives
+  BitTarget,  ///< a bit that is written later, outside of the instruction (an interrupt, a running operation)
+  LongCounter,///< a whole 32-bit counter
+  String,     ///< a text of the list
 };
 
 struct OperandInfo {
@@ -83,6 +103,9 @@ struct OperandInfo {
   bool hexadecimal;          ///< H constants
   std::int64_t min, max;     ///< range of a constant, and of a level
   llvm::StringRef note;      ///< for the documentation
+  bool indexable = false;    ///< an index register may modify it: D20V0, K30V0, P0Z0
+  std::uint32_t first = 0, last = 0;  ///< only these device numbers fit; both 0: all
+  std::uint16_t count = 0;   ///< of a block or bit run whose length is fixed: so many; 0: another operand tells at run time
 };
 
 /// When the instruction acts.
@@ -100,6 +123,7 @@ enum class Placement : std::uint8_t {
   Output,         ///< consumes the result and leaves it: OUT, MOV
   Alone,          ///< stands without a condition: MCR
   Anywhere,       ///< no effect on the rung: NOP
+  Label,          ///< stands between rungs, marks the next one: P8, I001
   BetweenRungs,   ///< no effect, but stands between rungs only: NOPLF
   End,            ///< ends the program
 };
@@ -121,6 +145,19 @@ enum class Lowering : std::uint8_t {
   CallWithResult,   ///< call `function` every scan, the result is its first argument: timers, counters
   Nothing,          ///< NOP
   End,
+  StoreInverted,    ///< OUTI: operand 0 becomes the inverse of the result, OFF where the bus is dead
+  Label,            ///< P8: target of jumps, or head of a subroutine
+  InterruptLabel,   ///< I001: head of an interrupt routine
+  Jump,             ///< CJ: go on behind the label in operand 0 while ON
+  CallRoutine,      ///< CALL: run the subroutine in operand 0
+  Return,           ///< SRET
+  InterruptReturn,  ///< IRET
+  MainEnd,          ///< FEND: ends the main program
+  Loop, LoopEnd,    ///< FOR n, NEXT
+  Skip, SkipEnd,    ///< JCS, JCR: skip while ON
+  BusStart, BusEnd, ///< SMCS, SMCR: a master control without level and device
+  State, StateEnd,  ///< STL, RET
+  Transfer,         ///< SET S, OUT S: inside a state a transfer, elsewhere what `transfer_outside` says
 };
 
 /// How the generated code calls `function`.
@@ -131,6 +168,7 @@ enum class CallStyle : std::uint8_t {
   Void,     ///< `f(inputs, outputs)` cannot fail
   Method,   ///< `operand0.f(other inputs)`: timers and counters
   System,   ///< `sys.f(inputs)`; with `stops_scan`, it returns false when the program must not go on
+  Memory,   ///< `f_STEP.run(condition, inputs, outputs, sys)`: an object of type `function` that each place in the list has for itself
 };
 
 struct TimeInfo {
@@ -174,6 +212,12 @@ struct InstructionInfo {
   std::uint8_t steps_subset;  ///< step count when every operand qualifies for subset processing; 0: as `steps`
   std::uint8_t equal_digits;  ///< 1: digit counts of operands 0 and 1 must be equal when both are digit designations
   llvm::ArrayRef<TimeInfo> times;
+  std::int16_t number = -1;   ///< function number: F12 and FNC12 are MOV; -1: none
+  bool wide = false;          ///< the D form of a function number
+  bool passes_system = false; ///< the function takes `sys` as its last argument
+  std::uint8_t max_uses = 0;  ///< so many may stand in a program, all forms of the mnemonic together; 0: any number
+  Lowering transfer_outside = Lowering::Nothing;  ///< of Transfer: Set or Store
+  bool sees_devices = false;  ///< reads or writes devices that are not among its operands
 };
 
 struct SpecialInfo {
@@ -215,6 +259,17 @@ struct FamilyInfo {
   std::uint32_t io_refresh_ns;       ///< basic time of the I/O refresh
   std::uint32_t io_refresh_point_ns; ///< for each refreshed point
   std::uint32_t not_executed_step_ns;///< (steps + 1) times this where the condition of a basic instruction is OFF
+  llvm::StringRef ops = "ops";       ///< namespace of the functions that Value, Status and Void calls name
+  bool errors_stop = true;           ///< an operation error stops the CPU; otherwise the program goes on with the next instruction
+  bool first_scan_pulses = true;     ///< a P form whose condition is ON in the first scan acts there
+  bool clears_on_stop = false;       ///< RUN to STOP clears what is not latched
+  bool spaced_operands = false;      ///< a blank may stand between letter and number: `S 20`, `K 100`
+  std::uint8_t warned_branches = 0;  ///< outstanding MPS from which on a warning is due; 0: none
+  std::uint8_t max_loops = 0;        ///< FOR-NEXT inside each other
+  std::uint8_t max_calls = 0;        ///< calls inside each other
+  std::uint8_t max_merge = 0;        ///< STL in succession
+  std::int16_t end_label = -1;       ///< the label that means END: P63
+  llvm::StringRef base;              ///< of a family that is another one with other ranges: the id of that one
 };
 
 /// All families, in alphabetical order of their ids.

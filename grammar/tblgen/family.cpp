@@ -45,7 +45,7 @@ ConstantRange constant_range(const Record &operand) {
   StringRef type = enumerator(operand, "type");
   if (type == "Word")
     return {-32768, 32767};
-  if (type == "DWord")
+  if (type == "DWord" || type == "Real")
     return {-2147483648LL, 2147483647LL};
   return {0, 0};
 }
@@ -62,6 +62,13 @@ std::vector<const Record *> in_file_order(const llvm::RecordKeeper &records, Str
 
 // ---- devices
 
+/// Classes may share a prefix where the numbers tell them apart.
+bool share_numbers(const Record &a, const Record &b) {
+  const std::int64_t a_first = a.getValueAsInt("first"), b_first = b.getValueAsInt("first");
+  return a.getValueAsString("prefix") == b.getValueAsString("prefix") && a_first < b_first + b.getValueAsInt("points") &&
+         b_first < a_first + a.getValueAsInt("points");
+}
+
 void check_devices(const FamilyRecords &family) {
   // A set of classes is one 64-bit mask, and index 0xFF says "none".
   if (family.devices.size() > 63)
@@ -69,7 +76,8 @@ void check_devices(const FamilyRecords &family) {
   llvm::StringSet<> prefixes;
   llvm::DenseMap<std::int64_t, const Record *> order;
   for (const Record *device : family.devices) {
-    if (!prefixes.insert(device->getValueAsString("prefix")).second)
+    if (!prefixes.insert(device->getValueAsString("prefix")).second &&
+        llvm::any_of(family.devices, [&](const Record *other) { return other != device && share_numbers(*other, *device); }))
       PrintError(device, "two device classes have the prefix '" + device->getValueAsString("prefix") + "'");
     std::int64_t radix = device->getValueAsInt("radix");
     if (radix != 8 && radix != 10 && radix != 16)
@@ -129,7 +137,8 @@ void check_indexes(const Record &instruction, StringRef field) {
     if (field == "outputs" && direction == "In")
       PrintError(&instruction, "outputs name operand " + operand.getValueAsString("name") + ", which is only read");
     // A block that is written is an argument as well: the function fills it.
-    if (field == "inputs" && direction == "Out" && enumerator(operand, "type") != "WordBlock")
+    StringRef type = enumerator(operand, "type");
+    if (field == "inputs" && direction == "Out" && !type.ends_with("Block") && type != "BitRun")
       PrintError(&instruction, "inputs name operand " + operand.getValueAsString("name") + ", which is only written");
   }
 }
@@ -144,9 +153,9 @@ void check_call(const FamilyRecords &family, const Record &instruction) {
     PrintError(&instruction, "lowering " + lowering + " and call style " + style + " do not go together");
   if (calls && instruction.getValueAsString("function").empty() && style != "Value")
     PrintError(&instruction, "call style " + style + " needs a function; only an assignment (Value) has none");
-  if ((style == "Status") != (code != 0))
-    PrintError(&instruction,
-               style == "Status" ? "a Status call can fail and needs an errorCode" : "only a Status call has an errorCode");
+  if ((style == "Status" && code == 0) || (code != 0 && style != "Status" && style != "Memory"))
+    PrintError(&instruction, style == "Status" ? "a Status call can fail and needs an errorCode"
+                                               : "only a Status or Memory call has an errorCode");
   if (code != 0 && llvm::none_of(family.errors, [&](const Record *e) { return e->getValueAsInt("number") == code; }))
     PrintError(&instruction, "the family has no error code " + Twine(code));
   StringRef mask = instruction.getValueAsString("errorMask");
@@ -192,6 +201,9 @@ bool share_a_device(const Record &a, const Record &b, StringRef field) {
 
 /// True where one operand as written can stand in both positions.
 bool overlap(const Record &a, const Record &b) {
+  const bool restricted = a.getValueAsInt("last") != 0 && b.getValueAsInt("last") != 0;
+  if (restricted && (a.getValueAsInt("last") < b.getValueAsInt("first") || b.getValueAsInt("last") < a.getValueAsInt("first")))
+    return false;
   if (llvm::any_of(llvm::ArrayRef<StringRef>{"devices", "wordBits", "digits"},
                    [&](StringRef f) { return share_a_device(a, b, f); }))
     return true;

@@ -5,6 +5,7 @@
 #include "actions.h"
 #include "family.h"
 
+#include "llvm/ADT/STLExtras.h"
 #include "llvm/ADT/StringExtras.h"
 #include "llvm/ADT/StringMap.h"
 
@@ -71,7 +72,9 @@ std::string operand_text(const FamilyRecords &family, const Record &operand) {
       << ", OperandType::" << enumerator(operand, "type") << ", " << device_set(family, classes, "devices") << ", "
       << device_set(family, classes, "wordBits") << ", " << device_set(family, classes, "digits") << ", "
       << flag(operand.getValueAsBit("decimal")) << ", " << flag(operand.getValueAsBit("hexadecimal")) << ", " << number(range.min)
-      << ", " << number(range.max) << ", " << quoted(operand.getValueAsString("note")) << "}";
+      << ", " << number(range.max) << ", " << quoted(operand.getValueAsString("note")) << ", "
+      << flag(operand.getValueAsBit("indexable")) << ", " << operand.getValueAsInt("first") << ", " << operand.getValueAsInt("last")
+      << ", " << operand.getValueAsInt("count") << "}";
   return text;
 }
 
@@ -113,15 +116,29 @@ std::string instruction_text(const FamilyRecords &family, const Record &r, Array
       << bit("stopsScan") << ", " << integer("errorCode") << ", " << text("errorMask") << ", "
       << quoted(llvm::join(r.getValueAsListOfStrings("errors"), "\n")) << ", " << integer("steps") << ", "
       << integer("stepsPerConstant") << ", " << integer("stepsSubset") << ", " << (r.getValueAsBit("equalDigits") ? "1" : "0")
-      << ", " << time_array(r, arrays) << "}";
+      << ", " << time_array(r, arrays) << ", " << integer("number") << ", " << bit("wide") << ", " << bit("passesSystem") << ", "
+      << integer("maxUses") << ", Lowering::" << enumerator(r, "transferOutside") << ", " << bit("seesDevices") << "}";
   return result;
 }
 
-std::string device_text(const Record &r, Arrays &arrays) {
+std::string numbers_array(const Record &r, StringRef field, Arrays &arrays) {
+  std::vector<std::string> elements;
+  for (const Record *entry : r.getValueAsListOfDefs(field))
+    elements.push_back("{" + quoted(entry->getValueAsString("model")) + ", " + std::to_string(entry->getValueAsInt("first")) + ", " +
+                       std::to_string(entry->getValueAsInt("last")) + "}");
+  return arrays.add("ModelNumbers", elements);
+}
+
+std::string device_text(const FamilyRecords &family, const Record &r, Arrays &arrays) {
   std::vector<std::string> points;
   for (const Record *entry : r.getValueAsListOfDefs("modelPoints"))
     points.push_back("{" + quoted(entry->getValueAsString("model")) + ", " + std::to_string(entry->getValueAsInt("points")) + "}");
   std::string model_points = arrays.add("ModelPoints", points);
+  std::string missing = numbers_array(r, "missing", arrays), latched = numbers_array(r, "latched", arrays);
+  std::string high = "kNoDevice";
+  for (const auto &[id, device] : llvm::enumerate(family.devices))
+    if (!r.getValueAsString("highWords").empty() && device->getValueAsString("prefix") == r.getValueAsString("highWords"))
+      high = std::to_string(id);
   std::string result;
   llvm::raw_string_ostream out(result);
   out << "{" << quoted(r.getValueAsString("prefix")) << ", " << quoted(r.getValueAsString("title"))
@@ -129,7 +146,9 @@ std::string device_text(const Record &r, Arrays &arrays) {
       << model_points << ", " << flag(r.getValueAsBit("bitOfWord")) << ", " << flag(r.getValueAsBit("externalInput")) << ", "
       << flag(r.getValueAsBit("externalOutput")) << ", " << r.getValueAsInt("memoryOrder") << ", "
       << quoted(r.getValueAsString("image")) << ", " << r.getValueAsInt("pointsRegister") << ", "
-      << quoted(r.getValueAsString("behaviour")) << ", " << quoted(r.getValueAsString("section")) << "}";
+      << quoted(r.getValueAsString("behaviour")) << ", " << quoted(r.getValueAsString("section")) << ", "
+      << quoted(r.getValueAsString("container")) << ", " << quoted(r.getValueAsString("beginHook")) << ", "
+      << quoted(r.getValueAsString("endHook")) << ", " << r.getValueAsInt("first") << ", " << r.getValueAsInt("nameDigits") << ", " << high << ", " << missing << ", " << latched << "}";
   return result;
 }
 
@@ -172,7 +191,7 @@ void emit_family(llvm::RecordKeeper &records, raw_ostream &out) {
   Arrays arrays(out);
   std::string models = arrays.strings(r.getValueAsListOfStrings("models"));
   std::string devices =
-      emit_array(out, "DeviceInfo", "kDevices", family.devices, [&](const Record &d) { return device_text(d, arrays); });
+      emit_array(out, "DeviceInfo", "kDevices", family.devices, [&](const Record &d) { return device_text(family, d, arrays); });
   std::string instructions = emit_array(out, "InstructionInfo", "kInstructions", family.instructions,
                                         [&](const Record &i) { return instruction_text(family, i, arrays); });
   std::string specials = emit_array(out, "SpecialInfo", "kSpecials", family.specials, special_text);
@@ -182,8 +201,12 @@ void emit_family(llvm::RecordKeeper &records, raw_ostream &out) {
       << quoted(r.getValueAsString("ns")) << ", " << models << ", " << integer("maxBranches") << ", " << integer("maxLevels")
       << ", " << flag(r.getValueAsBit("hasIndexRegisters")) << ", " << flag(r.getValueAsBit("pairsCrossClasses")) << ",\n    "
       << devices << ", " << instructions << ", " << specials << ", " << errors << ", " << integer("endNs") << ", "
-      << integer("ioRefreshNs") << ", " << integer("ioRefreshPointNs") << ", " << integer("notExecutedStepNs")
-      << "};\n\n}  // namespace ladderc::" << r.getValueAsString("ns") << "_tables\n";
+      << integer("ioRefreshNs") << ", " << integer("ioRefreshPointNs") << ", " << integer("notExecutedStepNs") << ",\n    "
+      << quoted(r.getValueAsString("ops")) << ", " << flag(r.getValueAsBit("errorsStop")) << ", "
+      << flag(r.getValueAsBit("firstScanPulses")) << ", " << flag(r.getValueAsBit("clearsOnStop")) << ", "
+      << flag(r.getValueAsBit("spacedOperands")) << ", " << integer("warnedBranches") << ", " << integer("maxLoops") << ", "
+      << integer("maxCalls") << ", " << integer("maxMerge") << ", " << integer("endLabel") << ", "
+      << quoted(r.getValueAsString("base")) << "};\n\n}  // namespace ladderc::" << r.getValueAsString("ns") << "_tables\n";
 }
 
 }  // namespace ladderc::tblgen

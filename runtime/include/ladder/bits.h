@@ -37,9 +37,14 @@ public:
   template <unsigned K> Digits<Image, K> digits(unsigned first) noexcept { return {self(), first}; }
   /// Consecutive groups of K digits up to the end of the class, for block transfers.
   template <unsigned K> DigitBlock<Image, K> digit_block(unsigned first) noexcept { return {self(), first}; }
+  template <unsigned K> DigitDWordBlock<Image, K> digit_dblock(unsigned first) noexcept { return {self(), first}; }
+  /// The bits from `first` to the end of the class.
+  constexpr BitRun<Image> run(unsigned first) noexcept { return {self(), first}; }
+  /// True where `count` numbers from `number` on exist.
+  static constexpr bool has(unsigned number, unsigned count = 1) noexcept { return number < N && count <= N - number; }
 
 private:
-  Image &self() noexcept { return static_cast<Image &>(*this); }
+  constexpr Image &self() noexcept { return static_cast<Image &>(*this); }
   const Image &self() const noexcept { return static_cast<const Image &>(*this); }
 };
 

@@ -61,6 +61,29 @@ constexpr WordQuad quad(word &w0, word &w1, word &w2, word &w3) noexcept {
   return {w0, w1, w2, w3};
 }
 
+/// Two words as an IEEE-754 single.
+class WordReal {
+public:
+  constexpr WordReal(word &low, word &high) noexcept : pair_(low, high) {}
+  constexpr WordReal(const WordReal &) noexcept = default;
+  operator float() const noexcept {
+    const dword pattern = pair_;
+    float value;
+    __builtin_memcpy(&value, &pattern, sizeof value);
+    return value;
+  }
+  WordReal &operator=(float value) noexcept {
+    dword pattern;
+    __builtin_memcpy(&pattern, &value, sizeof pattern);
+    pair_ = pattern;
+    return *this;
+  }
+  WordReal &operator=(const WordReal &other) noexcept { return *this = static_cast<float>(other); }
+
+private:
+  WordPair pair_;
+};
+
 /// N words, numbers 0 to N - 1. Numbers are not checked: the compiler knows them all.
 template <unsigned N> class Words {
 public:
@@ -72,10 +95,14 @@ public:
   constexpr WordQuad quad(unsigned first) noexcept {
     return {words_[first], words_[first + 1], words_[first + 2], words_[first + 3]};
   }
+  constexpr WordReal real(unsigned first) noexcept { return {words_[first], words_[first + 1]}; }
+  /// True where `count` numbers from `number` on exist.
+  static constexpr bool has(unsigned number, unsigned count = 1) noexcept { return number < N && count <= N - number; }
   /// Bit `place` (0-15) of a word: D0.5 is `D.bit(0, 5)`.
   constexpr WordBit bit(unsigned number, unsigned place) noexcept { return {words_[number], place}; }
   /// The words from `first` to the end of the class, for block transfers.
   constexpr WordBlock block(unsigned first) noexcept { return {words_, first, N}; }
+  constexpr DWordBlock dblock(unsigned first) noexcept { return {words_, first, N}; }
   constexpr void clear() noexcept {
     for (word &each : words_)
       each = 0;

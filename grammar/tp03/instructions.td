@@ -1,0 +1,17 @@
+// All instructions of the TP03, in the order of the documentation. Families that share the instruction set include this file.
+
+include "tp03/contacts.td"
+include "tp03/outputs.td"
+include "tp03/flow.td"
+include "tp03/move.td"
+include "tp03/arith.td"
+include "tp03/shift.td"
+include "tp03/data.td"
+include "tp03/highspeed.td"
+include "tp03/convenience.td"
+include "tp03/panel.td"
+include "tp03/serial.td"
+include "tp03/float.td"
+include "tp03/position.td"
+include "tp03/clock.td"
+include "tp03/compare.td"

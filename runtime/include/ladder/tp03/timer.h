@@ -1,0 +1,119 @@
+// Timers of the TP03: each measures its own time since its coil came ON.
+//
+// The clock of a timer is looked at only where its coil instruction is executed: it advances by the time that the last scan took, and
+// its contact switches there. An execution that finds the coil newly ON starts at 0. Skipped timers stand still. Only the timers for
+// routines (T192-T199) and the accumulating ones of 1 ms (T246-T249) keep time by themselves, see System.
+//
+// A set value of 0 or below closes the contact at the second execution.
+#pragma once
+
+#include "ladder/bit.h"
+#include "ladder/blocks.h"
+#include "ladder/number.h"
+
+#include <cstdint>
+
+namespace ladder::tp03 {
+
+struct Timer {
+  word value = 0;              ///< whole units
+  bit contact{};
+  bit coil{};
+  std::uint32_t rest_us = 0;   ///< time beyond the whole units
+  word preset = 0;             ///< of the last execution, for timers that keep time by themselves
+  bit executed{};              ///< in this scan
+
+  /// 100 ms, 10 ms and 1 ms timers: coil OFF clears value and contact.
+  template <class System> constexpr void on_delay_100ms(bit condition, word set, const System &sys) noexcept {
+    on_delay<100000>(condition, set, sys.elapsed_us());
+  }
+  template <class System> constexpr void on_delay_10ms(bit condition, word set, const System &sys) noexcept {
+    on_delay<10000>(condition, set, sys.elapsed_us());
+  }
+  template <class System> constexpr void on_delay_1ms(bit condition, word set, const System &sys) noexcept {
+    on_delay<1000>(condition, set, sys.elapsed_us());
+  }
+  /// Accumulating timers: coil OFF holds value and contact, only reset() clears them.
+  template <class System> constexpr void accumulate_100ms(bit condition, word set, const System &sys) noexcept {
+    accumulate<100000>(condition, set, sys.elapsed_us());
+  }
+  /// T246-T249: the value has been kept by advance(); here the contact switches.
+  template <class System> constexpr void accumulate_1ms(bit condition, word set, const System &) noexcept {
+    preset = set;
+    if (condition & coil)
+      contact |= bit(value >= limit());
+    coil = condition;
+  }
+
+  template <std::uint32_t Unit> constexpr void on_delay(bit condition, word set, std::uint32_t elapsed_us) noexcept {
+    if (!condition) {
+      value = 0;
+      contact = off;
+      rest_us = 0;
+      coil = off;
+      return;
+    }
+    accumulate<Unit>(condition, set, elapsed_us);
+  }
+
+  template <std::uint32_t Unit> constexpr void accumulate(bit condition, word set, std::uint32_t elapsed_us) noexcept {
+    preset = set;
+    executed = on;
+    const bit running = condition & coil;
+    coil = condition;
+    if (running)
+      advance<Unit>(elapsed_us, true);
+  }
+
+  /// Time passes. Timers that keep time by themselves close their contact elsewhere.
+  template <std::uint32_t Unit> constexpr void advance(std::uint32_t elapsed_us, bool switches) noexcept {
+    if (contact)
+      return;
+    const std::uint32_t sum = rest_us + elapsed_us;
+    if (sum < Unit) {
+      rest_us = sum;
+    } else {
+      const std::uint32_t total = static_cast<std::uint32_t>(value) + sum / Unit;
+      const std::uint32_t most = static_cast<std::uint32_t>(limit());
+      value = static_cast<word>(total < most ? total : most);
+      rest_us = sum % Unit;
+    }
+    if (switches)
+      contact = bit(value >= limit());
+  }
+
+  constexpr void reset() noexcept {
+    value = 0;
+    contact = off;
+    coil = off;
+    rest_us = 0;
+  }
+
+  constexpr word limit() const noexcept { return preset > 0 ? preset : word{0}; }
+};
+
+/// Timers 0 to N - 1.
+template <unsigned N> class Timers {
+public:
+  static constexpr unsigned kPoints = N;
+
+  constexpr Timer &operator[](unsigned number) noexcept { return timers_[number]; }
+  constexpr const Timer &operator[](unsigned number) const noexcept { return timers_[number]; }
+  static constexpr bool has(unsigned number, unsigned count = 1) noexcept { return number < N && count <= N - number; }
+  /// The current values from `first` on.
+  constexpr ValueBlock<Timer> block(unsigned first) noexcept { return {timers_, first, N}; }
+  constexpr ValuePairBlock<Timer> dblock(unsigned first) noexcept { return {timers_, first, N}; }
+  constexpr void clear() noexcept {
+    for (Timer &timer : timers_)
+      timer.reset();
+  }
+  constexpr void clear(unsigned first, unsigned last) noexcept {
+    for (unsigned number = first; number <= last; ++number)
+      timers_[number].reset();
+  }
+
+private:
+  Timer timers_[N] = {};
+};
+
+}  // namespace ladder::tp03
