@@ -6,14 +6,14 @@
 class BitIn<string n = "S", Classes c = ReadBits> : Operand<n, "In", OpBit, c> { let indexable = 1; }
 class BitOut<string n = "D", Classes c = WrittenBits> : Operand<n, "Out", OpBit, c> { let indexable = 1; }
 class BitChanged<string n = "D", Classes c = WrittenBits> : Operand<n, "InOut", OpBit, c> { let indexable = 1; }
-// `bits` consecutive bits from the operand on; 0: as many as another operand says.
-class BitsIn<string n, int bits = 0, Classes c = ReadBits> : Operand<n, "In", OpBitRun, c> {
+// `length` consecutive bits from the operand on; 0: as many as another operand says.
+class BitsIn<string n, int length = 0, Classes c = ReadBits> : Operand<n, "In", OpBitRun, c> {
   let indexable = 1;
-  let count = bits;
+  let count = length;
 }
-class BitsOut<string n, int bits = 0, Classes c = WrittenBits> : Operand<n, "InOut", OpBitRun, c> {
+class BitsOut<string n, int length = 0, Classes c = WrittenBits> : Operand<n, "InOut", OpBitRun, c> {
   let indexable = 1;
-  let count = bits;
+  let count = length;
 }
 
 // Words of 16 bits (OpWord) and 32 (OpDWord). Source takes constants, SourceDevice does not.
