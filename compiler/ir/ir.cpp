@@ -2,19 +2,37 @@
 #include "ir/ir.h"
 #include "ir/extent.h"
 
+#include "llvm/ADT/STLExtras.h"
+
 namespace ladderc::ir {
 
 bool is_value(Op op) {
   return op <= Op::Test;
 }
 
+bool is_conditional(Op op) {
+  return op == Op::Set || op == Op::Reset || op == Op::Call || op == Op::Transfer || op == Op::Jump || op == Op::Gosub;
+}
+
+bool is_flow(Op op) {
+  return op >= Op::Transfer;
+}
+
 bool tells_step(const Operation &o) {
-  return o.info && (o.info->error_code != 0 || o.info->style == CallStyle::System);
+  return o.info &&
+         (o.info->error_code != 0 || o.info->style == CallStyle::System || o.info->style == CallStyle::Memory || is_indexed(o));
+}
+
+bool is_indexed(const Operation &o) {
+  auto indexed = [](const Place &p) { return p.is_indexed() && !p.is_constant(); };
+  return llvm::any_of(o.inputs, indexed) || llvm::any_of(o.outputs, indexed);
 }
 
 llvm::StringRef name(Op op) {
   static constexpr llvm::StringLiteral kNames[] = {"const",  "load",    "not",  "and",   "andn", "or",    "orn",  "xor",
-                                                   "rising", "falling", "test", "store", "set",  "reset", "call", "run"};
+                                                   "rising", "falling", "pulse", "active", "test", "store", "set", "reset",
+                                                   "call", "run", "transfer", "label", "jump", "gosub", "loop", "next", "enter",
+                                                   "leave", "return", "endscan"};
   return kNames[static_cast<unsigned>(op)];
 }
 
@@ -22,6 +40,7 @@ std::uint32_t words_of(OperandType type) {
   switch (type) {
   case OperandType::DWord:
   case OperandType::WordTwice:
+  case OperandType::Real:
     return 2;
   case OperandType::QWord:
   case OperandType::DWordTwice:
@@ -38,6 +57,9 @@ Extent extent(const Module &module, const Place &place) {
   case PlaceKind::Hex:
     e.none = true;
     return e;
+  case PlaceKind::Label:
+    e.none = true;
+    return e;
   case PlaceKind::Edge:
   case PlaceKind::Master:
     e.space = place.kind;
@@ -48,21 +70,57 @@ Extent extent(const Module &module, const Place &place) {
   }
   e.device = place.device;
   e.first = place.number;
+  if (place.is_indexed()) {  // anywhere in its class
+    e.first = module.family->devices[place.device].first;
+    e.last = kEndOfClass;
+    return e;
+  }
+  const DeviceInfo &device = module.family->devices[place.device];
   std::uint32_t count = 1;
   if (place.kind == PlaceKind::Word)
-    count = words_of(place.type);
+    count = device.kind == DeviceKind::LongCounter ? (words_of(place.type) + 1) / 2 : words_of(place.type);
   else if (place.kind == PlaceKind::Digits)
     count = 4u * place.digits;
   e.last = place.number + count - 1;
   // A block's length is known at run time only, but it does not leave its class.
-  if (place.type == OperandType::WordBlock) {
-    e.last = kEndOfClass;
+  if (is_run(place.type)) {
+    if (place.count == 0)
+      e.last = kEndOfClass;
+    else
+      e.last = place.number + place.count * (place.kind == PlaceKind::Digits ? 4u * place.digits : 1u) *
+                                  (place.type == OperandType::DWordBlock && device.kind == DeviceKind::Word ? 2u : 1u) - 1;
     return e;
   }
+  // The high word of a pair of index registers lies in another class.
+  if (count > 1 && device.high_words != kNoDevice)
+    e.all = true;
   // A run behind the highest number of the class goes on in another class.
-  if (count > 1 && e.last >= module.points_of(place.device))
+  if (count > 1 && e.last >= device.first + module.points_of(place.device))
     e.all = true;
   return e;
+}
+
+llvm::SmallVector<Extent, 2> index_extents(const Module &module, const Place &place) {
+  llvm::SmallVector<Extent, 2> extents;
+  for (DeviceId device = place.index; device != kNoDevice; device = module.family->devices[device].high_words) {
+    Extent e;
+    e.device = device;
+    e.first = e.last = place.index_number;
+    extents.push_back(e);
+  }
+  return extents;
+}
+
+llvm::SmallVector<Extent, 2> system_extents(const Module &module) {
+  llvm::SmallVector<Extent, 2> extents;
+  for (const auto &[id, device] : llvm::enumerate(module.family->devices))
+    if (device.image.starts_with("sys.")) {
+      Extent e;
+      e.device = static_cast<DeviceId>(id);
+      e.last = kEndOfClass;
+      extents.push_back(e);
+    }
+  return extents;
 }
 
 bool overlap(const Extent &a, const Extent &b) {
@@ -77,8 +135,13 @@ bool overlap(const Extent &a, const Extent &b) {
 }
 
 bool is_barrier(const Operation &o) {
-  return o.info && (o.op == Op::Call || o.op == Op::Run) &&
-         (o.info->style == CallStyle::System || o.info->style == CallStyle::Status || o.info->stops_scan);
+  if (is_flow(o.op))
+    return true;
+  if (!o.info || (o.op != Op::Call && o.op != Op::Run))
+    return false;
+  // An error that the system is told by the function itself does not end the scan; then it writes special devices and no more.
+  const bool may_end_scan = o.info->stops_scan || (o.info->style == CallStyle::Status && !o.info->passes_system);
+  return may_end_scan || o.info->style == CallStyle::System || o.info->sees_devices;
 }
 
 }  // namespace ladderc::ir

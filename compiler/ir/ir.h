@@ -4,6 +4,10 @@
 // to their rung; everything that outlives a rung is a place: a device, a private edge memory, a master control state. Effects are
 // ordered, and a load happens where its contact stands, so that a later contact sees what an earlier coil wrote in the same scan.
 //
+// The first routine is the main program. Subroutines, interrupt routines and the states of a step ladder are routines of their own,
+// which it calls. Inside a routine labels, jumps and loops are operations like others that nothing is moved across; a label, a loop's
+// head and its end have a rung to themselves.
+//
 // The IR knows no family: an application instruction is a Call or Test of a runtime function with places as arguments. Families
 // bring device classes (for printing and emission) by reference to their table.
 #pragma once
@@ -35,7 +39,11 @@ enum class PlaceKind : std::uint8_t {
   Hex,      ///< constant, written in hexadecimal
   Edge,     ///< private edge memory `number`
   Master,   ///< master control state of level `number`
+  Label,    ///< a label by its number; from kHiddenLabel on, those that the list does not name
 };
+
+/// Labels from here on are the ends of skipped ranges.
+constexpr std::uint32_t kHiddenLabel = 0x10000;
 
 /// Something that an operation reads or writes, or a constant.
 struct Place {
@@ -45,8 +53,12 @@ struct Place {
   std::uint8_t digits = 0;
   std::uint8_t bit = 0;
   std::uint32_t number = 0;
-  std::int64_t value = 0;  ///< of a constant
+  std::int64_t value = 0;  ///< of a constant, a text's index in the module's list
+  DeviceId index = kNoDevice;      ///< class of the index register that modifies the number or the constant
+  std::uint8_t index_number = 0;
+  std::uint16_t count = 0;         ///< of a block or bit run: how many, where the table entry says
 
+  bool is_indexed() const { return index != kNoDevice; }
   bool is_constant() const { return kind == PlaceKind::Decimal || kind == PlaceKind::Hex; }
   bool operator==(const Place &) const = default;
 };
@@ -62,12 +74,24 @@ enum class Op : std::uint8_t {
   Xor,       ///< %n = xor %a, %b
   Rising,    ///< %n = rising PLACE, %a   edge against the memory PLACE, which becomes %a
   Falling,   ///< %n = falling PLACE, %a
+  Pulse,     ///< %n = pulse PLACE, %a    as rising, but never in the first scan
+  Active,    ///< %n = active             the state that this routine belongs to is ON, and so is the bus that it lies in
   Test,      ///< %n = test FUNCTION (PLACES)
   Store,     ///< store PLACE, %a
   Set,       ///< set PLACE if %a
   Reset,     ///< reset PLACE if %a
   Call,      ///< call FUNCTION if %a (PLACES) -> (PLACES); without `if`: always
   Run,       ///< run FUNCTION with %a (PLACES) -> (PLACES): every scan, the condition is an argument
+  Transfer,  ///< transfer PLACE if %a (PLACES): the first state goes ON, the others OFF at the end of the scan
+  Label,     ///< label PLACE
+  Jump,      ///< jump PLACE if %a; without `if`: always
+  Gosub,     ///< gosub PLACE if %a
+  Loop,      ///< loop N (PLACE): what follows, up to `next N`, so many times
+  Next,      ///< next N
+  Enter,     ///< enter ROUTINE PLACE, %a: a state's routine, while %a is ON and once more behind it; PLACE remembers
+  Leave,     ///< leave: the routines of states that a transfer has left run once with a dead bus
+  Return,    ///< return: from a subroutine or interrupt routine
+  EndScan,   ///< endscan
 };
 
 bool is_value(Op op);
@@ -80,10 +104,19 @@ struct Operation {
   bool constant = false;                  ///< of Constant
   const InstructionInfo *info = nullptr;  ///< the table entry of Test, Call, Run: function, style, errors
   std::uint32_t step = 0;                 ///< of the instruction that it came from
-  Place place;                            ///< of Load, Rising, Falling, Store, Set, Reset
-  llvm::SmallVector<Place, 0> inputs;     ///< of Test, Call, Run
+  Place place;                            ///< of Load, Rising, Falling, Pulse, Store, Set, Reset, Transfer, Label, Jump, Gosub, Enter
+  std::uint32_t target = 0;               ///< of Enter: the routine; of Loop and Next: the loop
+  llvm::SmallVector<Place, 0> inputs;     ///< of Test, Call, Run, Transfer, Loop
   llvm::SmallVector<Place, 0> outputs;
 };
+
+/// True for an operation that has a condition and acts only while it is ON.
+bool is_conditional(Op op);
+/// True for what directs the flow through the routine or leaves it: no operation moves across.
+bool is_flow(Op op);
+
+/// True where an index register picks one of the operation's devices.
+bool is_indexed(const Operation &operation);
 
 /// True where the runtime is told the step, for its error information.
 bool tells_step(const Operation &operation);
@@ -102,9 +135,15 @@ struct EdgeMemory {
   std::uint32_t step;  ///< of the instruction that owns it
 };
 
+enum class RoutineKind : std::uint8_t { Main, Subroutine, Interrupt, State };
+
 struct Routine {
-  std::string name;
+  std::string name;  ///< "main", "P10", "I001", "S20", "S29_S39_S49"
   std::vector<Rung> rungs;
+  RoutineKind kind = RoutineKind::Main;
+  std::uint32_t label = 0;            ///< of a subroutine or interrupt routine
+  llvm::SmallVector<Place, 1> states; ///< of a state: all that must be ON
+  Place memory;                       ///< of a state: whether its last execution found it ON
 };
 
 /// One list as IR. Places of the list are ranges in the compilation's sources.
@@ -114,7 +153,9 @@ struct Module {
   std::string name;                   ///< of the program
   std::vector<Routine> routines;      ///< the first is the main routine
   std::vector<EdgeMemory> edges;      ///< private edge memories by number
-  std::uint8_t master_levels = 0;     ///< master control states 0 to master_levels - 1 are used
+  std::uint32_t master_levels = 0;    ///< master control states 0 to master_levels - 1 are used
+  std::uint32_t loops = 0;            ///< loops 0 to loops - 1 are used
+  std::vector<std::string> texts;     ///< string operands
 
   std::uint32_t points_of(DeviceId device) const { return points.empty() ? family->devices[device].points : points[device]; }
 };
@@ -126,6 +167,7 @@ std::string to_text(const Module &module, const Operation &operation);
 
 /// The place that an operand of a list means in a position of that type.
 Place to_place(const Operand &operand, OperandType type);
+Place to_place(const Operand &operand, const OperandInfo &info);
 
 /// Checks that values are defined once and before use, dense numbering, operand counts against the table entry, and that places
 /// exist. Returns what is wrong, or an empty text.

@@ -58,11 +58,14 @@ private:
       return parse_points();
     if (take("levels"))
       return !line_text_.getAsInteger(10, module_.master_levels) || fail("number of levels expected");
-    if (take("routine")) {
-      module_.routines.push_back({take_word().str(), {}});
-      open_ = true;
-      return take("{") || fail("'{' expected");
+    if (take("loops"))
+      return !line_text_.getAsInteger(10, module_.loops) || fail("number of loops expected");
+    if (take("text")) {
+      module_.texts.push_back(line_text_.str());
+      return true;
     }
+    if (take("routine"))
+      return parse_routine();
     if (line_text_ == "}") {
       open_ = false;
       return true;
@@ -74,6 +77,29 @@ private:
     if (module_.routines.back().rungs.empty())
       return fail("rung expected");
     return parse_operation();
+  }
+
+  bool parse_routine() {
+    Routine routine;
+    routine.name = take_word().str();
+    open_ = true;
+    if (take("call") || take("on")) {
+      const Operand label = parse_operand(*module_.family, take_word(), {});
+      if (label.kind != OperandKind::Device)
+        return fail("label expected");
+      routine.kind = module_.family->devices[label.device].prefix == "I" ? RoutineKind::Interrupt : RoutineKind::Subroutine;
+      routine.label = static_cast<std::uint32_t>(label.value);
+    } else if (take("state")) {
+      routine.kind = RoutineKind::State;
+      llvm::SmallVector<llvm::StringRef> states;
+      if (!parse_place(routine.memory, OperandType::Bit) || !take_list(states))
+        return fail("memory and states expected");
+      for (llvm::StringRef state : states)
+        if (!parse_place(state, routine.states.emplace_back(), OperandType::Bit))
+          return false;
+    }
+    module_.routines.push_back(std::move(routine));
+    return take("{") || fail("'{' expected");
   }
 
   bool parse_points() {
@@ -139,6 +165,7 @@ private:
       return (take_value(o.a) && take(",") && take_value(o.b)) || fail("two values expected");
     case Op::Rising:
     case Op::Falling:
+    case Op::Pulse:
     case Op::Store:
       return parse_place(o.place, OperandType::Bit) && ((take(",") && take_value(o.a)) || fail("value expected"));
     case Op::Set:
@@ -148,8 +175,47 @@ private:
     case Op::Call:
     case Op::Run:
       return parse_call(o);
+    case Op::Active:
+    case Op::Leave:
+    case Op::Return:
+    case Op::EndScan:
+      return true;
+    default:
+      return parse_flow(o);
     }
-    return false;
+  }
+
+  /// `if %a`, or nothing where the operation is unconditional.
+  bool parse_condition(Operation &o) { return !take("if") || take_value(o.a) || fail("condition expected"); }
+  bool parse_number(std::uint32_t &number) { return !take_word().getAsInteger(10, number) || fail("number expected"); }
+
+  bool parse_flow(Operation &o) {
+    llvm::SmallVector<llvm::StringRef> places;
+    switch (o.op) {
+    case Op::Label:
+      return parse_place(o.place, OperandType::Label);
+    case Op::Jump:
+    case Op::Gosub:
+      return parse_place(o.place, OperandType::Label) && parse_condition(o);
+    case Op::Transfer:
+      if (!parse_place(o.place, OperandType::Bit) || !parse_condition(o) || !take_list(places))
+        return fail("states expected");
+      return parse_places(o, places, OperandType::Bit);
+    case Op::Loop:
+      if (!parse_number(o.target) || !take_list(places))
+        return fail("count expected");
+      return parse_places(o, places, OperandType::Word);
+    case Op::Next:
+      return parse_number(o.target);
+    case Op::Enter:
+      return parse_number(o.target) && parse_place(o.place, OperandType::Bit) && ((take(",") && take_value(o.a)) || fail("value expected"));
+    default:
+      return false;
+    }
+  }
+
+  bool parse_places(Operation &o, llvm::ArrayRef<llvm::StringRef> words, OperandType type) {
+    return llvm::all_of(words, [&](llvm::StringRef word) { return parse_place(word, o.inputs.emplace_back(), type); });
   }
 
   bool parse_call(Operation &o) {
@@ -202,10 +268,15 @@ private:
       line_text_ = line_text_.drop_front(word.size()).ltrim();
     place.type = type;
     for (auto [prefix, kind] :
-         {std::pair{llvm::StringRef("edge"), PlaceKind::Edge}, {llvm::StringRef("master"), PlaceKind::Master}})
+         {std::pair{llvm::StringRef("edge"), PlaceKind::Edge},
+          {llvm::StringRef("master"), PlaceKind::Master},
+          {llvm::StringRef("skip"), PlaceKind::Label}})
       if (word.starts_with(prefix)) {
         place.kind = kind;
-        return !word.drop_front(prefix.size()).getAsInteger(10, place.number) || fail("number expected");
+        if (word.drop_front(prefix.size()).getAsInteger(10, place.number))
+          return fail("number expected");
+        place.number += kind == PlaceKind::Label ? kHiddenLabel : 0;
+        return true;
       }
     if (!word.getAsInteger(10, place.value)) {
       place.kind = PlaceKind::Decimal;
@@ -256,7 +327,7 @@ private:
   }
 
   static std::optional<Op> find(llvm::StringRef word) {
-    for (unsigned i = 0; i <= static_cast<unsigned>(Op::Run); ++i)
+    for (unsigned i = 0; i <= static_cast<unsigned>(Op::EndScan); ++i)
       if (name(static_cast<Op>(i)) == word)
         return static_cast<Op>(i);
     return std::nullopt;
@@ -269,6 +340,25 @@ private:
   bool open_ = false;
 };
 
+/// What a whole device is in a position of that type.
+PlaceKind kind_of(OperandType type) {
+  switch (type) {
+  case OperandType::Bit:
+  case OperandType::BitRun:
+  case OperandType::BitTarget:
+    return PlaceKind::Bit;
+  case OperandType::Timer:
+  case OperandType::Counter:
+  case OperandType::LongCounter:
+  case OperandType::Annunciator:
+    return PlaceKind::Object;
+  case OperandType::Label:
+    return PlaceKind::Label;
+  default:
+    return PlaceKind::Word;
+  }
+}
+
 }  // namespace
 
 Place to_place(const Operand &operand, OperandType type) {
@@ -278,6 +368,8 @@ Place to_place(const Operand &operand, OperandType type) {
   p.number = static_cast<std::uint32_t>(operand.value);
   p.digits = operand.digits;
   p.bit = operand.bit;
+  p.index = operand.index;
+  p.index_number = operand.index_number;
   switch (operand.kind) {
   case OperandKind::BitOfWord:
     p.kind = PlaceKind::WordBit;
@@ -290,13 +382,18 @@ Place to_place(const Operand &operand, OperandType type) {
     p.kind = operand.kind == OperandKind::Decimal ? PlaceKind::Decimal : PlaceKind::Hex;
     p.number = 0;
     // A pattern with the top bit set is a negative number of the operand's width.
-    p.value = type == OperandType::DWord ? static_cast<std::int32_t>(operand.value) : static_cast<std::int16_t>(operand.value);
+    p.value = type == OperandType::DWord || type == OperandType::Real ? static_cast<std::int32_t>(operand.value)
+                                                                      : static_cast<std::int16_t>(operand.value);
     break;
   default:
-    p.kind = type == OperandType::Bit                                                                         ? PlaceKind::Bit
-             : type == OperandType::Timer || type == OperandType::Counter || type == OperandType::Annunciator ? PlaceKind::Object
-                                                                                                              : PlaceKind::Word;
+    p.kind = kind_of(type);
   }
+  return p;
+}
+
+Place to_place(const Operand &operand, const OperandInfo &info) {
+  Place p = to_place(operand, info.type);
+  p.count = info.count;
   return p;
 }
 

@@ -33,6 +33,10 @@ std::string list_of(const Module &module, llvm::ArrayRef<Place> places) {
   return text + ")";
 }
 
+std::string condition_of(const Operation &o) {
+  return o.a == kNoValue ? "" : fmt::format(" if %{}", o.a);
+}
+
 std::string callee(const InstructionInfo *entry) {
   if (!entry)
     return "?";  // broken IR, in a message of the verifier
@@ -42,7 +46,19 @@ std::string callee(const InstructionInfo *entry) {
 
 }  // namespace
 
+static std::string plain_text(const Module &module, const Place &place);
+
 std::string to_text(const Module &module, const Place &place) {
+  std::string text = plain_text(module, place);
+  if (place.is_indexed()) {
+    if (place.kind == PlaceKind::Decimal)
+      text = "K" + text;
+    text += fmt::format("{}{}", module.family->devices[place.index].prefix.str(), unsigned(place.index_number));
+  }
+  return text;
+}
+
+static std::string plain_text(const Module &module, const Place &place) {
   switch (place.kind) {
   case PlaceKind::Decimal:
     return fmt::format("{}", place.value);
@@ -52,13 +68,20 @@ std::string to_text(const Module &module, const Place &place) {
     return fmt::format("edge{}", place.number);
   case PlaceKind::Master:
     return fmt::format("master{}", place.number);
+  case PlaceKind::Label:
+    if (place.number >= kHiddenLabel)
+      return fmt::format("skip{}", place.number - kHiddenLabel);
+    break;
   default:
     break;
   }
   if (place.device >= module.family->devices.size())
     return "?";  // broken IR, in a message of the verifier
   const DeviceInfo &device = module.family->devices[place.device];
-  std::string text = device.prefix.str() + number_text(device, place.number);
+  std::string digits = number_text(device, place.number);
+  if (digits.size() < device.name_digits)
+    digits.insert(0, device.name_digits - digits.size(), '0');
+  std::string text = device.prefix.str() + digits;
   if (place.kind == PlaceKind::WordBit)
     return fmt::format("{}.{:X}", text, place.bit);
   if (place.kind == PlaceKind::Digits)
@@ -86,6 +109,7 @@ std::string to_text(const Module &module, const Operation &o) {
     return text + fmt::format(" %{}, %{}", o.a, o.b);
   case Op::Rising:
   case Op::Falling:
+  case Op::Pulse:
   case Op::Store:
     return text + fmt::format(" {}, %{}", to_text(module, o.place), o.a);
   case Op::Set:
@@ -104,8 +128,35 @@ std::string to_text(const Module &module, const Operation &o) {
     if (tells_step(o))
       text += fmt::format(" at {}", o.step);
     return text;
+  case Op::Label:
+    return text + " " + to_text(module, o.place);
+  case Op::Jump:
+  case Op::Gosub:
+    return text + " " + to_text(module, o.place) + condition_of(o);
+  case Op::Transfer:
+    return text + " " + to_text(module, o.place) + condition_of(o) + " " + list_of(module, o.inputs);
+  case Op::Loop:
+    return text + fmt::format(" {} {}", o.target, list_of(module, o.inputs));
+  case Op::Next:
+    return text + fmt::format(" {}", o.target);
+  case Op::Enter:
+    return text + fmt::format(" {} {}, %{}", o.target, to_text(module, o.place), o.a);
+  case Op::Active:
+  case Op::Leave:
+  case Op::Return:
+  case Op::EndScan:
+    return text;
   }
   return text;
+}
+
+static void print_head(const Module &module, const Routine &routine, llvm::raw_ostream &out) {
+  out << "routine " << routine.name;
+  if (routine.kind == RoutineKind::Subroutine || routine.kind == RoutineKind::Interrupt)
+    out << (routine.kind == RoutineKind::Subroutine ? " call " : " on ") << routine.name;
+  if (routine.kind == RoutineKind::State)
+    out << " state " << to_text(module, routine.memory) << " " << list_of(module, routine.states);
+  out << " {\n";
 }
 
 void print(const Module &module, const SourceSet &sources, llvm::raw_ostream &out) {
@@ -119,9 +170,13 @@ void print(const Module &module, const SourceSet &sources, llvm::raw_ostream &ou
     out << "\n";
   }
   if (module.master_levels)
-    out << "levels " << unsigned(module.master_levels) << "\n";
+    out << "levels " << module.master_levels << "\n";
+  if (module.loops)
+    out << "loops " << module.loops << "\n";
+  for (const std::string &text : module.texts)
+    out << "text " << text << "\n";
   for (const Routine &routine : module.routines) {
-    out << "routine " << routine.name << " {\n";
+    print_head(module, routine, out);
     for (const Rung &rung : routine.rungs) {
       out << "  rung " << rung.step;
       if (!rung.origin.empty())

@@ -1,4 +1,5 @@
 // The verifier: what every pass may rely on and must keep.
+#include "ir/extent.h"
 #include "ir/ir.h"
 
 #include <fmt/format.h>
@@ -30,7 +31,8 @@ private:
       if (defined_[o.result])
         return "value defined twice";
     }
-    const bool needs_a = o.op != Op::Constant && o.op != Op::Load && o.op != Op::Test && o.op != Op::Call;
+    const bool needs_a = o.op == Op::Not || is_edge(o.op) || (o.op >= Op::And && o.op <= Op::Xor) || o.op == Op::Store ||
+                         o.op == Op::Set || o.op == Op::Reset || o.op == Op::Run || o.op == Op::Transfer || o.op == Op::Enter;
     const bool needs_b = o.op == Op::And || o.op == Op::AndNot || o.op == Op::Or || o.op == Op::OrNot || o.op == Op::Xor;
     if ((needs_a || o.a != kNoValue) && !usable(o.a))
       return "operand used before its definition";
@@ -42,7 +44,14 @@ private:
       if (o.inputs.size() != o.info->inputs.size() || o.outputs.size() != o.info->outputs.size())
         return "operands do not match the table entry";
     }
-    if (o.op == Op::Load || o.op == Op::Rising || o.op == Op::Falling || o.op == Op::Store || o.op == Op::Set || o.op == Op::Reset)
+    if (o.op == Op::Enter && (o.target >= module_.routines.size() || module_.routines[o.target].kind != RoutineKind::State))
+      return "no such state routine";
+    if ((o.op == Op::Loop || o.op == Op::Next) && o.target >= module_.loops)
+      return "no such loop";
+    if (o.op == Op::Loop && o.inputs.size() != 1)
+      return "a loop has one count";
+    if (o.op == Op::Load || is_edge(o.op) || o.op == Op::Store || o.op == Op::Set || o.op == Op::Reset || o.op == Op::Transfer ||
+        o.op == Op::Enter)
       if (std::string problem = check(o.place); !problem.empty())
         return problem;
     for (const Place &p : o.inputs)
@@ -63,6 +72,8 @@ private:
       return p.number < module_.edges.size() ? "" : "no such edge memory";
     case PlaceKind::Master:
       return p.number < module_.master_levels ? "" : "no such master control state";
+    case PlaceKind::Label:
+      return {};
     default:
       return p.device < module_.family->devices.size() ? "" : "no such device class";
     }

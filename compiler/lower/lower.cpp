@@ -11,7 +11,16 @@
 // OUT on while the master is off). The condition of an inner MC contains the outer one, so the innermost state is enough. Edge
 // memories of P forms and PLS see the condition with the master in it; those of edge contacts follow their device, those of MEP,
 // MEF, EGP and EGF the plain result.
+//
+// A state of a step ladder is a routine that the main program enters where its STL stands; what the bus carries there is the Active
+// value. Subroutines and interrupt routines stand behind the last FEND. JCS is a jump to a label that the list does not name.
 #include "lower/lower.h"
+
+#include "llvm/ADT/DenseSet.h"
+#include "llvm/ADT/STLExtras.h"
+
+#include <map>
+#include <optional>
 
 namespace ladderc {
 
@@ -23,9 +32,16 @@ using ir::Place;
 using ir::PlaceKind;
 using ir::ValueId;
 
+/// What switches the outputs of a region off: an MC, an SMCS. The innermost one's state contains those around it.
+struct Bus {
+  std::uint32_t master;  ///< master control state
+  bool has_level;        ///< MC: ended by the MCR of its level or an outer one; else by SMCR
+  unsigned level;
+};
+
 class Lowerer {
 public:
-  explicit Lowerer(const CheckedProgram &program) : program_(program) {
+  explicit Lowerer(const CheckedProgram &program) : program_(program), list_(program.list.instructions) {
     module_.family = program.family;
     module_.name = program.parameters.program_name;
     module_.points = program.parameters.points;
@@ -34,39 +50,188 @@ public:
   }
 
   ir::Module run() {
-    const std::vector<Instruction> &list = program_.list.instructions;
-    for (std::uint32_t i = 0; i < list.size(); ++i) {
-      const Instruction &instruction = list[i];
+    plan();
+    for (std::uint32_t i = 0; i < list_.size(); ++i) {
+      const Instruction &instruction = list_[i];
       if (instruction.info->lowering == Lowering::End)
         break;
-      if (!rung_ || instruction.rung != rung_->number)
+      current_ = &instruction;
+      index_ = i;
+      if (opens_routine(i))
+        open_routine(i);
+      if (instruction.info->lowering == Lowering::State) {
+        i = open_state(i);
+        continue;
+      }
+      if (instruction.info->lowering == Lowering::StateEnd)
+        close_state();
+      if (!has_rung_ || instruction.rung != rung().number)
         begin_rung(instruction, i);
-      ++rung_->instruction_count;
+      ++rung().instruction_count;
       lower(instruction);
     }
+    finish_routine();
     return std::move(module_);
   }
 
 private:
+  // ---- routines
+  /// Finds the end of the main program, what is called behind it, and the buses open at each label.
+  void plan() {
+    std::vector<Bus> buses;
+    for (std::uint32_t i = 0; i < list_.size() && list_[i].info->lowering != Lowering::End; ++i) {
+      const Instruction &instruction = list_[i];
+      const llvm::ArrayRef<Operand> operands = program_.list.operands_of(instruction);
+      switch (instruction.info->lowering) {
+      case Lowering::MainEnd:
+        main_end_ = i;
+        break;
+      case Lowering::CallRoutine:
+        called_.insert(static_cast<std::uint32_t>(operands[0].value));
+        calls_by_index_ |= operands[0].index != kNoDevice;
+        break;
+      case Lowering::Jump:
+        if (operands[0].index == kNoDevice)
+          jumped_.insert(static_cast<std::uint32_t>(operands[0].value));
+        break;
+      case Lowering::MasterControl:
+        buses.push_back({static_cast<std::uint32_t>(operands[0].value), true, static_cast<unsigned>(operands[0].value)});
+        break;
+      case Lowering::BusStart:
+        buses.push_back({program_.family->max_levels + bus_count_++, false, 0});
+        break;
+      case Lowering::MasterControlReset:
+      case Lowering::BusEnd:
+        close_buses(buses, instruction);
+        break;
+      case Lowering::Label:
+        label_buses_[static_cast<std::uint32_t>(operands[0].value)] = buses;
+        break;
+      default:
+        break;
+      }
+    }
+    bus_count_ = 0;
+  }
+
+  void close_buses(std::vector<Bus> &buses, const Instruction &end) const {
+    const bool of_level = end.info->lowering == Lowering::MasterControlReset;
+    const auto level = of_level ? static_cast<unsigned>(program_.list.operands_of(end)[0].value) : 0;
+    llvm::erase_if(buses, [&](const Bus &bus) { return bus.has_level == of_level && (!of_level || bus.level >= level); });
+  }
+
+  /// A label behind the main program that is called, or the head of an interrupt routine.
+  bool opens_routine(std::uint32_t index) const {
+    const Instruction &instruction = list_[index];
+    if (!main_end_ || index < *main_end_)
+      return false;
+    if (instruction.info->lowering == Lowering::InterruptLabel)
+      return true;
+    if (instruction.info->lowering != Lowering::Label)
+      return false;
+    const auto label = static_cast<std::uint32_t>(program_.list.operands_of(instruction)[0].value);
+    return called_.contains(label) || (calls_by_index_ && !jumped_.contains(label));
+  }
+
+  void open_routine(std::uint32_t index) {
+    const Instruction &instruction = list_[index];
+    const bool interrupt = instruction.info->lowering == Lowering::InterruptLabel;
+    const Place label = operand(0);
+    // A routine without its own end goes on with the next one.
+    if (routine_ != 0 && !ended_ && !interrupt) {
+      begin_rung(instruction, index);
+      rung().instruction_count = 0;
+      append(Op::Gosub).place = label;
+      append(Op::Return);
+    }
+    finish_routine();
+    ir::Routine routine;
+    routine.name = ir::to_text(module_, label);
+    routine.kind = interrupt ? ir::RoutineKind::Interrupt : ir::RoutineKind::Subroutine;
+    routine.label = label.number;
+    module_.routines.push_back(std::move(routine));
+    routine_ = module_.routines.size() - 1;
+    buses_.clear();
+    ended_ = false;
+  }
+
+  /// The last FEND, SRET or IRET of a routine says nothing that its end does not say.
+  void finish_routine() {
+    has_rung_ = false;
+    std::vector<ir::Rung> &rungs = module_.routines[routine_].rungs;
+    if (rungs.empty() || rungs.back().operations.empty())
+      return;
+    const Op last = rungs.back().operations.back().op;
+    if (last == Op::EndScan || last == Op::Return)
+      rungs.back().operations.pop_back();
+  }
+
+  /// STL: the main program enters a routine of the state. Returns the index of the last STL of a merge.
+  std::uint32_t open_state(std::uint32_t index) {
+    close_state();
+    begin_rung(list_[index], index);
+    ir::Routine state;
+    state.kind = ir::RoutineKind::State;
+    std::uint32_t last = index;
+    for (std::uint32_t i = index; i < list_.size() && list_[i].info->lowering == Lowering::State; ++i) {
+      current_ = &list_[i];
+      state.states.push_back(operand(0));
+      state.name += (state.name.empty() ? "" : "_") + ir::to_text(module_, operand(0));
+      ++rung().instruction_count;
+      last = i;
+    }
+    current_ = &list_[index];
+    if (!states_entered_)
+      append(Op::Leave);
+    states_entered_ = true;
+    ValueId on = load(state.states.front());
+    for (const Place &other : llvm::drop_begin(state.states))
+      on = binary(Op::And, on, load(other));
+    if (!buses_.empty())
+      on = binary(Op::And, on, load(master(buses_.back().master)));
+    state.memory = new_edge();
+    Operation &enter = append(Op::Enter);
+    enter.place = state.memory;
+    enter.a = on;
+    enter.target = static_cast<std::uint32_t>(module_.routines.size());
+    caller_ = routine_;
+    routine_ = module_.routines.size();
+    module_.routines.push_back(std::move(state));
+    in_state_ = true;
+    has_rung_ = false;
+    return last;
+  }
+
+  void close_state() {
+    if (!in_state_)
+      return;
+    in_state_ = false;
+    routine_ = caller_;
+    has_rung_ = false;
+  }
+
+  ir::Rung &rung() { return module_.routines[routine_].rungs.back(); }
+
   void begin_rung(const Instruction &instruction, std::uint32_t index) {
-    std::vector<ir::Rung> &rungs = module_.routines.front().rungs;
-    rung_ = &rungs.emplace_back();
-    rung_->number = instruction.rung;
-    rung_->step = instruction.step;
-    rung_->first_instruction = index;
-    rung_->range = instruction.range;
+    ir::Rung &rung = module_.routines[routine_].rungs.emplace_back();
+    has_rung_ = true;
+    rung.number = instruction.rung;
+    rung.step = instruction.step;
+    rung.first_instruction = index;
+    rung.range = instruction.range;
     blocks_.clear();
     branches_.clear();
-    master_condition_of_ = ir::kNoValue;
+    bus_condition_of_ = bus_ = active_ = ir::kNoValue;
   }
 
   // ---- building operations
   Operation &append(Op op) {
-    Operation &o = rung_->operations.emplace_back();
+    Operation &o = rung().operations.emplace_back();
     o.op = op;
     o.step = current_->step;
+    ended_ = op == Op::Return;
     if (ir::is_value(op))
-      o.result = rung_->values++;
+      o.result = rung().values++;
     return o;
   }
   ValueId load(const Place &place) {
@@ -87,6 +252,15 @@ private:
   }
   ValueId edge(Execution kind, const Place &memory, ValueId a) {
     Operation &o = append(kind == Execution::FallingEdge ? Op::Falling : Op::Rising);
+    return finish_edge(o, memory, a);
+  }
+  /// The edge that executes a P form.
+  ValueId pulse(Execution kind, ValueId a) {
+    const bool skips_first_scan = kind == Execution::RisingEdge && !program_.family->first_scan_pulses;
+    Operation &o = append(kind == Execution::FallingEdge ? Op::Falling : skips_first_scan ? Op::Pulse : Op::Rising);
+    return finish_edge(o, new_edge(), a);
+  }
+  static ValueId finish_edge(Operation &o, const Place &memory, ValueId a) {
     o.place = memory;
     o.a = a;
     return o.result;
@@ -103,32 +277,48 @@ private:
     module_.edges.push_back({current_->step});
     return p;
   }
-  static Place master(unsigned level) {
+  Place master(std::uint32_t number) {
     Place p;
     p.kind = PlaceKind::Master;
-    p.number = level;
+    p.number = number;
+    module_.master_levels = std::max(module_.master_levels, number + 1);
     return p;
   }
   Place operand(unsigned index) const {
-    return ir::to_place(program_.list.operands_of(*current_)[index], current_->info->operands[index].type);
+    return ir::to_place(program_.list.operands_of(*current_)[index], current_->info->operands[index]);
   }
   unsigned level(unsigned index) const { return static_cast<unsigned>(program_.list.operands_of(*current_)[index].value); }
 
-  /// The result that an output-type instruction acts on.
-  ValueId condition() {
-    const ValueId result = blocks_.back();
-    if (open_levels_.empty())
-      return result;
-    if (master_condition_of_ != result) {
-      master_condition_of_ = result;
-      master_condition_ = binary(Op::And, result, load(master(open_levels_.back())));
+  /// What the bus carries: the state of the innermost MC or SMCS, or that of the step ladder's state. kNoValue: always ON.
+  ValueId bus() {
+    if (in_state_) {
+      if (active_ == ir::kNoValue)
+        active_ = append(Op::Active).result;
+      return active_;
     }
-    return master_condition_;
+    if (buses_.empty())
+      return ir::kNoValue;
+    if (bus_ == ir::kNoValue)
+      bus_ = load(master(buses_.back().master));
+    return bus_;
+  }
+
+  /// The result that an output-type instruction acts on. An output at the head of a state, before any contact, follows the bus.
+  ValueId condition() {
+    if (blocks_.empty())
+      return bus();
+    const ValueId result = blocks_.back();
+    if (bus_condition_of_ == result)
+      return bus_condition_;
+    bus_condition_of_ = result;
+    bus_condition_ = result;
+    if (const ValueId on = bus(); on != ir::kNoValue)
+      bus_condition_ = binary(Op::And, result, on);
+    return bus_condition_;
   }
 
   // ---- instructions
   void lower(const Instruction &instruction) {
-    current_ = &instruction;
     const InstructionInfo &info = *instruction.info;
     switch (info.lowering) {
     case Lowering::Contact:
@@ -161,7 +351,20 @@ private:
       return;
     case Lowering::Nothing:
     case Lowering::End:
+    case Lowering::StateEnd:
       return;
+    case Lowering::Label:
+    case Lowering::InterruptLabel:
+    case Lowering::Jump:
+    case Lowering::CallRoutine:
+    case Lowering::Return:
+    case Lowering::InterruptReturn:
+    case Lowering::MainEnd:
+    case Lowering::Loop:
+    case Lowering::LoopEnd:
+    case Lowering::Skip:
+    case Lowering::SkipEnd:
+      return lower_flow(info);
     default:
       return lower_output(info);
     }
@@ -209,25 +412,36 @@ private:
     }
     case Lowering::Toggle:
       return lower_toggle(info);
-    case Lowering::MasterControl:
-      return lower_master_control();
-    case Lowering::MasterControlReset: {
-      const unsigned closed = level(0);
-      while (!open_levels_.empty() && open_levels_.back() >= closed)
-        open_levels_.pop_back();
-      return;
+    case Lowering::StoreInverted: {
+      const ValueId on = bus();
+      const ValueId inverse = blocks_.empty()        ? constant(false)
+                              : on == ir::kNoValue ? unary(Op::Not, blocks_.back())
+                                                   : binary(Op::AndNot, on, blocks_.back());
+      return effect(Op::Store, operand(0), inverse);
     }
+    case Lowering::Transfer:
+      return lower_transfer(info);
+    case Lowering::MasterControl:
+      return open_bus({level(0), true, level(0)}, info.operands.size() > 1);
+    case Lowering::BusStart:
+      return open_bus({program_.family->max_levels + bus_count_++, false, 0}, false);
+    case Lowering::MasterControlReset:
+    case Lowering::BusEnd:
+      close_buses(buses_, *current_);
+      return;
     case Lowering::CallWithResult: {
-      const ValueId on = condition();
+      ValueId on = condition();
+      if (info.edge != Execution::EveryScan)
+        on = edge(info.edge, new_edge(), on);
       Operation &o = append(Op::Run);
       o.info = &info;
       o.a = on;
       return fill_operands(o, info);
     }
     default: {
-      ValueId on = condition();
+      ValueId on = info.placement == Placement::Alone ? ir::kNoValue : condition();
       if (info.execution == Execution::RisingEdge || info.execution == Execution::FallingEdge)
-        on = edge(info.execution, new_edge(), on);
+        on = pulse(info.execution, on);
       Operation &o = append(Op::Call);
       o.info = &info;
       o.a = on;
@@ -243,14 +457,90 @@ private:
     effect(Op::Store, operand(0), binary(Op::Xor, now, on));
   }
 
-  void lower_master_control() {
+  /// SET S and OUT S: in a state, a transfer to another one.
+  void lower_transfer(const InstructionInfo &info) {
+    const Place target = operand(0);
+    const ir::Routine &routine = module_.routines[routine_];
+    if (!in_state_)
+      return effect(info.transfer_outside == Lowering::Store ? Op::Store : Op::Set, target, condition());
+    if (llvm::is_contained(routine.states, target))
+      return effect(Op::Set, target, condition());
+    const llvm::SmallVector<Place, 1> sources = routine.states;
     const ValueId on = condition();
-    const unsigned opened = level(0);
-    open_levels_.push_back(opened);
-    module_.master_levels = std::max<std::uint8_t>(module_.master_levels, static_cast<std::uint8_t>(opened + 1));
-    effect(Op::Store, master(opened), on);
-    effect(Op::Store, operand(1), on);
-    master_condition_of_ = ir::kNoValue;
+    Operation &o = append(Op::Transfer);
+    o.place = target;
+    o.a = on;
+    o.inputs.assign(sources.begin(), sources.end());
+  }
+
+  /// MC and SMCS. The condition of an inner bus contains the outer one.
+  void open_bus(const Bus &opened, bool has_device) {
+    const ValueId on = condition();
+    effect(Op::Store, master(opened.master), on);
+    if (has_device)
+      effect(Op::Store, operand(1), on);
+    buses_.push_back(opened);
+    bus_condition_of_ = bus_ = ir::kNoValue;
+  }
+
+  // ---- program flow
+  void lower_flow(const InstructionInfo &info) {
+    switch (info.lowering) {
+    case Lowering::Label:
+      append(Op::Label).place = operand(0);
+      return;
+    case Lowering::Jump:
+    case Lowering::CallRoutine:
+      return lower_branch(info);
+    case Lowering::Return:
+    case Lowering::InterruptReturn:
+      append(Op::Return);
+      return;
+    case Lowering::MainEnd:
+      append(Op::EndScan);
+      return;
+    case Lowering::Loop: {
+      Operation &o = append(Op::Loop);
+      o.target = module_.loops++;
+      o.inputs.push_back(operand(0));
+      open_loops_.push_back(o.target);
+      return;
+    }
+    case Lowering::LoopEnd:
+      append(Op::Next).target = open_loops_.pop_back_val();
+      return;
+    case Lowering::Skip: {
+      const ValueId on = condition();
+      Operation &o = append(Op::Jump);
+      o.a = on;
+      o.place.kind = PlaceKind::Label;
+      o.place.number = ir::kHiddenLabel + skips_;
+      return;
+    }
+    case Lowering::SkipEnd: {
+      Operation &o = append(Op::Label);
+      o.place.kind = PlaceKind::Label;
+      o.place.number = ir::kHiddenLabel + skips_++;
+      return;
+    }
+    default:
+      return;  // InterruptLabel: the routine's head says it
+    }
+  }
+
+  void lower_branch(const InstructionInfo &info) {
+    ValueId on = condition();
+    if (info.execution == Execution::RisingEdge)
+      on = pulse(info.execution, on);
+    const Place target = operand(0);
+    if (info.lowering == Lowering::Jump && !target.is_indexed())
+      // A jump into the range of an MC or SMCS finds it switched on.
+      for (const Bus &bus : label_buses_[target.number])
+        if (llvm::none_of(buses_, [&](const Bus &open) { return open.master == bus.master; }))
+          effect(Op::Set, master(bus.master), on);
+    Operation &o = append(info.lowering == Lowering::Jump ? Op::Jump : Op::Gosub);
+    o.place = target;
+    o.a = on;
   }
 
   void fill_operands(Operation &o, const InstructionInfo &info) {
@@ -260,15 +550,32 @@ private:
       o.outputs.push_back(operand(i));
   }
 
+  ValueId constant(bool state) {
+    Operation &o = append(Op::Constant);
+    o.constant = state;
+    return o.result;
+  }
+
   const CheckedProgram &program_;
+  const std::vector<Instruction> &list_;
   ir::Module module_;
-  ir::Rung *rung_ = nullptr;
+  std::size_t routine_ = 0, caller_ = 0;
   const Instruction *current_ = nullptr;
+  std::uint32_t index_ = 0;
+  bool has_rung_ = false, in_state_ = false, states_entered_ = false;
+  bool ended_ = false;  ///< the last operation was a Return
+  std::optional<std::uint32_t> main_end_;
+  llvm::DenseSet<std::uint32_t> called_, jumped_;
+  bool calls_by_index_ = false;
+  std::map<std::uint32_t, std::vector<Bus>> label_buses_;
+  std::uint32_t bus_count_ = 0, skips_ = 0;
+  llvm::SmallVector<std::uint32_t, 8> open_loops_;
   llvm::SmallVector<ValueId, 16> blocks_;
   llvm::SmallVector<ValueId, 16> branches_;
-  llvm::SmallVector<unsigned, 16> open_levels_;
-  ValueId master_condition_of_ = ir::kNoValue;  ///< `master_condition_` is this value with the master's state
-  ValueId master_condition_ = ir::kNoValue;
+  std::vector<Bus> buses_;
+  ValueId bus_ = ir::kNoValue, active_ = ir::kNoValue;  ///< loaded in this rung
+  ValueId bus_condition_of_ = ir::kNoValue;             ///< `bus_condition_` is this value with the bus
+  ValueId bus_condition_ = ir::kNoValue;
 };
 
 }  // namespace
