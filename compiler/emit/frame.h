@@ -25,9 +25,11 @@ struct Frame {
   bool in_system(DeviceId device) const;
   /// `melsec_qs::System<1300, 1300>`.
   std::string system_type() const;
-  std::string chunk_name(const Chunk &chunk) const;
-  /// True where all rungs stand in scan() itself.
-  bool single_function() const { return layout.chunks.size() <= 1 && (layout.chunks.empty() || !layout.chunks.front().can_stop); }
+  std::string chunk_name(std::size_t routine, const Chunk &chunk) const;
+  /// True where the body of the main program stands in scan() itself.
+  bool main_in_scan() const { return !layout.routines.front().returns; }
+  bool has_states() const;      ///< a step ladder
+  DeviceId states_class() const;  ///< of the states, or kNoDevice
 };
 
 Frame make_frame(const CheckedProgram &program, const ir::Module &module, const SourceSet &sources, const EmitOptions &options);
@@ -35,7 +37,16 @@ Frame make_frame(const CheckedProgram &program, const ir::Module &module, const 
 std::string write_header(const Frame &frame);
 std::string write_source(const Frame &frame, unsigned file);
 std::string write_symbols(const Frame &frame);
+/// The body of a routine: its rungs with their comments, and the calls of the functions that hold the others.
+void write_body(const Frame &frame, Writer &out, std::size_t routine, llvm::StringRef file_name);
 /// The rungs of one chunk with their comments.
-void write_rungs(const Frame &frame, Writer &out, const Chunk &chunk, llvm::StringRef file_name);
+void write_rungs(const Frame &frame, Writer &out, std::size_t routine, const Chunk &chunk, llvm::StringRef file_name);
+
+/// Declarations of the functions that the routines become, and of what they keep from scan to scan.
+void write_routine_members(const Frame &frame, Writer &out);
+/// Definitions of the functions of one file.
+void write_routines(const Frame &frame, Writer &out, unsigned file, llvm::StringRef file_name);
+/// What scan() does for states and interrupts before the main program.
+void write_events(const Frame &frame, Writer &out);
 
 }  // namespace ladderc::emit

@@ -9,6 +9,7 @@
 #include "sema/check.h"
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace ladderc::emit {
@@ -19,18 +20,38 @@ struct LayoutLimits {
   unsigned operations_per_file = 6000;
 };
 
-/// A function: rungs [first, last] by index in the routine.
+/// Rungs [first, last] by index in their routine that stand together: in a function of their own or in the body of the routine.
 struct Chunk {
   std::size_t first, last;
-  bool can_stop;  ///< returns bool: false when the CPU stopped
-  unsigned file;  ///< 0: the main file
+  bool can_stop;            ///< the function returns bool: false when the CPU stopped
+  unsigned file;            ///< 0: the main file
+  bool own_function = true; ///< false: the rungs stand in the routine's body
+};
+
+/// A routine: its chunks in order.
+struct RoutineLayout {
+  std::vector<Chunk> chunks;
+  bool returns = false;  ///< it is left in the middle, so that its body is a function of its own
+  unsigned file = 0;     ///< of the body
+};
+
+/// A multi-scan instruction's memory.
+struct MemoryObject {
+  std::string type, name;
+  std::uint32_t step;
 };
 
 struct Layout {
-  std::vector<std::uint32_t> count;  ///< per device class: numbers 0 to count - 1 have memory; 0: the program never touches it
-  std::vector<Chunk> chunks;
+  std::vector<std::uint32_t> count;  ///< per device class: so many numbers from the first on have memory; 0: the program never touches it
+  std::vector<RoutineLayout> routines;  ///< as the module's
+  std::vector<MemoryObject> memories;
   unsigned files = 1;
 };
+
+/// True where input terminals matter between the scans: interrupt routines, high-speed counters.
+bool has_events(const ir::Module &module);
+/// Name of the member that is the memory of the instruction at a step: `ramp_12`.
+std::string memory_name(const InstructionInfo &info, std::uint32_t step);
 
 Layout make_layout(const ir::Module &module, const Parameters &parameters, const LayoutLimits &limits);
 

@@ -13,24 +13,38 @@ std::string number_text(const DeviceInfo &device, std::int64_t number) {
                              : fmt::format("{}", number);
 }
 
-std::string operand_text(const FamilyInfo &family, const Operand &operand) {
+std::string plain_text(const CheckedProgram &program, const Operand &operand) {
+  const FamilyInfo &family = *program.family;
   if (operand.kind == OperandKind::Decimal)
     return fmt::format("K{}", operand.value);
   if (operand.kind == OperandKind::Hexadecimal)
     return fmt::format("H{:X}", operand.value);
+  if (operand.kind == OperandKind::Text)
+    return "\"" + program.list.texts[static_cast<std::size_t>(operand.value)] + "\"";
   const DeviceInfo &device = family.devices[operand.device];
-  const std::string text = device.prefix.str() + number_text(device, operand.value);
+  std::string digits = number_text(device, operand.value);
+  if (digits.size() < device.name_digits)
+    digits.insert(0, device.name_digits - digits.size(), '0');
+  const std::string text = device.prefix.str() + digits;
   if (operand.kind == OperandKind::Digits)
     return fmt::format("K{}{}", operand.digits, text);
   return operand.kind == OperandKind::BitOfWord ? fmt::format("{}.{:X}", text, operand.bit) : text;
 }
 
+std::string operand_text(const CheckedProgram &program, const Operand &operand) {
+  std::string text = plain_text(program, operand);
+  if (operand.index != kNoDevice)
+    text += fmt::format("{}{}", program.family->devices[operand.index].prefix.str(), unsigned(operand.index_number));
+  return text;
+}
+
 }  // namespace
 
 std::string list_text(const CheckedProgram &program, const Instruction &instruction) {
-  std::string text = instruction.info->spelling.str();
+  // A label is its own mnemonic.
+  std::string text = instruction.info->placement == Placement::Label ? "" : instruction.info->spelling.str();
   for (const Operand &operand : program.list.operands_of(instruction))
-    text += " " + operand_text(*program.family, operand);
+    text += (text.empty() ? "" : " ") + operand_text(program, operand);
   return text;
 }
 

@@ -160,6 +160,10 @@ std::string bit_text(const PlaceContext &context, const Place &place) {
   return fmt::format("{}[{}]{}", device.image.str(), at, has_value_member(device) ? ".contact" : "");
 }
 
+std::string number_text(const PlaceContext &context, const Place &place) {
+  return number_of(context, place);
+}
+
 std::string range_check(const PlaceContext &context, const Place &place) {
   const DeviceInfo &device = device_of(context, place);
   const std::uint32_t count = numbers_of(device, place);

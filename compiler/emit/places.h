@@ -28,6 +28,8 @@ std::string range_check(const PlaceContext &context, const ir::Place &place);
 std::string object_text(const PlaceContext &context, const ir::Place &place);
 /// Where an initial value is written: a bit, a word or a pair.
 ir::Place place_of(const FamilyInfo &family, const InitialValue &value);
+/// The number of a place, indexed or not: `5`, `at(20, V[0])`.
+std::string number_text(const PlaceContext &context, const ir::Place &place);
 /// A device number as its subscript: 12, 0x1F.
 std::string subscript(const DeviceInfo &device, std::uint32_t number);
 

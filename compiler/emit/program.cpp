@@ -16,18 +16,23 @@ std::string counted(std::uint32_t count, const char *what) {
 
 std::string first_and_last(const DeviceInfo &device, std::uint32_t count) {
   const char *format = device.radix == 16 ? "{}{:X}" : device.radix == 8 ? "{}{:o}" : "{}{}";
-  std::string text = fmt::format(fmt::runtime(format), device.prefix.str(), 0);
+  std::string text = fmt::format(fmt::runtime(format), device.prefix.str(), device.first);
   if (count > 1)
-    text += fmt::format(fmt::runtime("-" + std::string(format)), device.prefix.str(), count - 1);
+    text += fmt::format(fmt::runtime("-" + std::string(format)), device.prefix.str(), device.first + count - 1);
   return text;
 }
 
 std::string image_type(const DeviceInfo &device, std::uint32_t count) {
-  const char *type = device.kind == DeviceKind::Bit       ? "Bits"
-                     : device.kind == DeviceKind::Timer   ? "Timers"
-                     : device.kind == DeviceKind::Counter ? "Counters"
-                                                          : "Words";
-  return fmt::format("ladder::{}<{}> {};", type, count, device.image.str());
+  std::string type = device.container.str();
+  if (type.empty())
+    type = device.kind == DeviceKind::Bit       ? "Bits"
+           : device.kind == DeviceKind::Timer   ? "Timers"
+           : device.kind == DeviceKind::Counter ? "Counters"
+                                                : "Words";
+  type = fmt::format("ladder::{}<{}>", type, count);
+  if (device.first)
+    type = fmt::format("ladder::Numbered<{}, {}>", type, device.first);
+  return fmt::format("{} {};", type, device.image.str());
 }
 
 std::string edge_note(const Frame &frame) {
@@ -52,50 +57,80 @@ void write_members(const Frame &frame, Writer &out) {
 }
 
 void write_private(const Frame &frame, Writer &out) {
-  const bool state = !frame.module.edges.empty() || frame.module.master_levels;
-  if (frame.single_function() && !state)
+  Writer members;
+  write_routine_members(frame, members);
+  if (frame.program.family->clears_on_stop) {
+    members.line("void restart() noexcept;          ///< forgets edges and what instructions were doing");
+    members.line("void clear_unlatched() noexcept;");
+    members.line("void clear_latched() noexcept;");
+  }
+  if (!frame.module.edges.empty())
+    members.line("{:<30} ///< {}", fmt::format("ladder::Bits<{}> edge;", frame.module.edges.size()), edge_note(frame));
+  if (frame.module.master_levels)
+    members.line("{:<30} ///< master control: {}", fmt::format("ladder::Bits<{}> master;", frame.module.master_levels),
+                 frame.module.master_levels > frame.program.family->max_levels ? "state of each level, then of each SMCS"
+                                                                               : "state of level N0 and so on");
+  llvm::StringRef text = members.text_so_far();
+  if (text.empty())
     return;
   out.blank();
   out.left("private:", 1);
-  if (!frame.single_function())
-    for (const Chunk &chunk : frame.layout.chunks)
-      out.line("{} {}() noexcept;", chunk.can_stop ? "bool" : "void", frame.chunk_name(chunk));
-  if (!frame.module.edges.empty())
-    out.line("{:<30} ///< {}", fmt::format("ladder::Bits<{}> edge;", frame.module.edges.size()), edge_note(frame));
-  if (frame.module.master_levels)
-    out.line("{:<30} ///< master control: state of level N0 and so on",
-             fmt::format("ladder::Bits<{}> master;", unsigned(frame.module.master_levels)));
+  for (; !text.empty(); text = text.split('\n').second)
+    out.text(text.split('\n').first);
 }
 
-/// Clears what is not latched, class by class.
-void write_clear(const Frame &frame, Writer &out) {
+/// The ranges of a class that are latched, or those that are not, inside of the image.
+std::vector<std::pair<std::uint32_t, std::uint32_t>> ranges_to_clear(const Frame &frame, std::size_t id, bool latched) {
+  const std::uint32_t begin = frame.program.family->devices[id].first, end = begin + frame.layout.count[id];
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> kept, others;
+  for (const DeviceRange &range : frame.program.parameters.latched)
+    if (range.device == id && range.first < end)
+      kept.emplace_back(range.first, std::min(range.last, end - 1));
+  llvm::sort(kept);
+  std::uint32_t next = begin;
+  for (const auto &[first, last] : kept) {
+    if (first > next)
+      others.emplace_back(next, first - 1);
+    next = std::max(next, last + 1);
+  }
+  if (next < end)
+    others.emplace_back(next, end - 1);
+  return latched ? kept : others;
+}
+
+/// Clears what is latched or what is not, class by class.
+void write_clear_images(const Frame &frame, Writer &out, bool latched) {
   for (std::size_t id = 0; id < frame.layout.count.size(); ++id) {
     if (!frame.own_image(static_cast<DeviceId>(id)))
       continue;
-    const std::string image = frame.program.family->devices[id].image.str();
-    const std::uint32_t count = frame.layout.count[id];
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> latched;
-    for (const DeviceRange &range : frame.program.parameters.latched)
-      if (range.device == id && range.first < count)
-        latched.emplace_back(range.first, std::min(range.last, count - 1));
-    llvm::sort(latched);
-    if (latched.empty()) {
-      out.line("{}.clear();", image);
-      continue;
+    const DeviceInfo &device = frame.program.family->devices[id];
+    for (const auto &[first, last] : ranges_to_clear(frame, id, latched)) {
+      const bool whole = first == device.first && last + 1 == device.first + frame.layout.count[id];
+      out.text(whole ? fmt::format("{}.clear();", device.image.str())
+                     : fmt::format("{}.clear({}, {});", device.image.str(), subscript(device, first), subscript(device, last)));
     }
-    std::uint32_t next = 0;
-    for (const auto &[first, last] : latched) {
-      if (first > next)
-        out.line("{}.clear({}, {});", image, next, first - 1);
-      next = std::max(next, last + 1);
-    }
-    if (next < count)
-      out.line("{}.clear({}, {});", image, next, count - 1);
   }
+}
+
+void write_clear_memories(const Frame &frame, Writer &out) {
   if (!frame.module.edges.empty())
     out.line("edge.clear();");
   if (frame.module.master_levels)
     out.line("master.clear();");
+  if (frame.has_states())
+    out.line("states.clear();");
+  for (const MemoryObject &memory : frame.layout.memories)
+    out.line("{} = {{}};", memory.name);
+}
+
+void write_clear(const Frame &frame, Writer &out) {
+  if (frame.program.family->clears_on_stop) {
+    out.line("clear_unlatched();");
+    out.line("restart();");
+    return;
+  }
+  write_clear_images(frame, out, false);
+  write_clear_memories(frame, out);
 }
 
 void write_initial_values(const Frame &frame, Writer &out) {
@@ -108,10 +143,23 @@ void write_initial_values(const Frame &frame, Writer &out) {
   }
 }
 
+/// Periods of the interrupt routines that time raises, by the hundreds of their pointers.
+std::string interrupt_periods(const Frame &frame) {
+  std::uint32_t periods[3] = {};
+  for (const ir::Routine &routine : frame.module.routines)
+    if (routine.kind == ir::RoutineKind::Interrupt && routine.label >= 600 && routine.label < 900)
+      periods[routine.label / 100 - 6] = routine.label % 100;
+  return fmt::format("{{{}, {}, {}}},  // periods of timer interrupts, milliseconds", periods[0], periods[1], periods[2]);
+}
+
 /// The special register that tells the allocated points of each class, as the family numbers them.
 void write_parameters(const Frame &frame, Writer &out) {
   const Parameters &p = frame.program.parameters;
   const Block block = out.block(fmt::format("constexpr {}::Parameters kParameters =", frame.program.family->ns.str()), "};");
+  if (frame.program.family->clears_on_stop) {
+    out.text(interrupt_periods(frame));
+    return;
+  }
   out.line("{},  // program name in the error information", quoted(fmt::format("{:<8.8}", p.program_name)));
   out.line("{}, {},  // low-speed and high-speed timer unit, microseconds", p.low_speed_unit_us, p.high_speed_unit_us);
   out.line("{}, {},  // constant scan and watchdog, microseconds; 0: none", p.constant_scan_us, p.watchdog_us);
@@ -131,26 +179,68 @@ void write_parameters(const Frame &frame, Writer &out) {
 void write_scan(const Frame &frame, Writer &out) {
   const Block body = out.block(fmt::format("void {}::scan(ladder::Micros now) noexcept", frame.class_name));
   out.line("if (!sys.begin_scan(now)) return;  // in STOP, or stopped by an error");
-  if (frame.single_function()) {
-    if (!frame.layout.chunks.empty()) {
+  write_events(frame, out);
+  if (frame.main_in_scan()) {
+    const auto &chunks = frame.layout.routines.front().chunks;
+    const bool rungs_here = llvm::any_of(chunks, [](const Chunk &c) { return !c.own_function; });
+    if (rungs_here)
       out.blank();
-      write_rungs(frame, out, frame.layout.chunks.front(), frame.stem + ".cpp");
+    write_body(frame, out, 0, frame.stem + ".cpp");
+    if (rungs_here)
       out.blank();
-    }
   } else {
-    for (const Chunk &chunk : frame.layout.chunks) {
-      const std::string name = frame.chunk_name(chunk);
-      if (chunk.can_stop)
-        out.line("if (!{}()) return;", name);
-      else
-        out.line("{}();", name);
-    }
+    out.line("main_program();");
   }
+  const auto &devices = frame.program.family->devices;
   std::string annunciators;
-  for (std::size_t id = 0; id < frame.layout.count.size(); ++id)
-    if (frame.layout.count[id] && frame.program.family->devices[id].image == "F")
+  for (std::size_t id = 0; id < devices.size(); ++id) {
+    if (frame.layout.count[id] && devices[id].image == "F")
       annunciators = "F";
+    if (!devices[id].end_hook.empty() && frame.layout.count[id])
+      out.line("sys.{}({});", devices[id].end_hook.str(), devices[id].image.str());
+  }
+  if (frame.program.family->clears_on_stop) {
+    out.line("if (sys.clears_unlatched()) clear_unlatched();");
+    out.line("if (sys.clears_latched()) clear_latched();");
+  }
   out.line("sys.end_scan({});", annunciators);
+}
+
+/// RUN to STOP clears what is not latched, unless the program has asked to keep it; the program starts anew with each RUN.
+void write_set_mode(const Frame &frame, Writer &out) {
+  const Block body = out.block(fmt::format("void {}::set_mode(ladder::Mode mode) noexcept", frame.class_name));
+  const bool clears = frame.program.family->clears_on_stop, initial = !frame.program.parameters.initial_values.empty();
+  if (clears || initial)
+    out.line("const bool was_running = sys.running();");
+  out.line("sys.set_mode(mode);");
+  if (clears) {
+    out.line("if (was_running && !sys.running() && !sys.holds_memory()) clear_unlatched();");
+    out.line("if (!was_running && sys.running()) restart();");
+  }
+  if (!initial)
+    return;
+  out.line("if (was_running || !sys.running()) return;");
+  write_initial_values(frame, out);
+}
+
+/// What the family's STOP and the program's own switches clear.
+void write_clear_functions(const Frame &frame, Writer &out) {
+  for (const bool latched : {false, true}) {
+    out.blank();
+    const Block body = out.block(fmt::format("void {}::clear_{}() noexcept", frame.class_name, latched ? "latched" : "unlatched"));
+    write_clear_images(frame, out, latched);
+  }
+  out.blank();
+  const Block body = out.block(fmt::format("void {}::restart() noexcept", frame.class_name));
+  write_clear_memories(frame, out);
+}
+
+/// An input that changes between scans: interrupt routines and high-speed counters do not wait.
+void write_input(const Frame &frame, Writer &out) {
+  const Block body = out.block(fmt::format("void {}::input(unsigned number, ladder::bit state) noexcept", frame.class_name));
+  out.line("sys.input(number, state);");
+  if (has_interrupts(frame.module))
+    out.line("if (sys.running()) run_interrupts();");
 }
 
 void write_frame_functions(const Frame &frame, Writer &out) {
@@ -167,16 +257,12 @@ void write_frame_functions(const Frame &frame, Writer &out) {
     write_initial_values(frame, out);
   }
   out.blank();
-  {
-    const Block body = out.block(fmt::format("void {}::set_mode(ladder::Mode mode) noexcept", frame.class_name));
-    if (frame.program.parameters.initial_values.empty()) {
-      out.line("sys.set_mode(mode);");
-    } else {
-      out.line("const bool was_running = sys.running();");
-      out.line("sys.set_mode(mode);");
-      out.line("if (was_running || !sys.running()) return;");
-      write_initial_values(frame, out);
-    }
+  write_set_mode(frame, out);
+  if (frame.program.family->clears_on_stop)
+    write_clear_functions(frame, out);
+  if (has_events(frame.module)) {
+    out.blank();
+    write_input(frame, out);
   }
   out.blank();
   write_scan(frame, out);
@@ -203,10 +289,11 @@ bool Frame::own_image(DeviceId device) const {
 std::string Frame::system_type() const {
   std::string counts;
   for (std::size_t id = 0; id < layout.count.size(); ++id) {
-    if (!in_system(static_cast<DeviceId>(id)))
+    // A system whose special devices have numbers of their own has always all of them.
+    const DeviceInfo &device = program.family->devices[id];
+    if (!in_system(static_cast<DeviceId>(id)) || device.first)
       continue;
     // Every special device that the manual lists, and what the program uses beyond.
-    const DeviceInfo &device = program.family->devices[id];
     std::uint32_t count = layout.count[id];
     for (const SpecialInfo &special : program.family->specials) {
       const llvm::StringRef last = special.device.rsplit('-').second.empty() ? special.device : special.device.rsplit('-').second;
@@ -216,12 +303,12 @@ std::string Frame::system_type() const {
     }
     counts += fmt::format("{}{}", counts.empty() ? "" : ", ", count);
   }
-  return fmt::format("{}::System<{}>", program.family->ns.str(), counts);
+  return fmt::format("{}::System{}", program.family->ns.str(), counts.empty() ? "" : "<" + counts + ">");
 }
 
-std::string Frame::chunk_name(const Chunk &chunk) const {
-  return fmt::format("rungs_{}_to_{}", module.routines.front().rungs[chunk.first].number,
-                     module.routines.front().rungs[chunk.last].number);
+std::string Frame::chunk_name(std::size_t routine, const Chunk &chunk) const {
+  return fmt::format("rungs_{}_to_{}", module.routines[routine].rungs[chunk.first].number,
+                     module.routines[routine].rungs[chunk.last].number);
 }
 
 Frame make_frame(const CheckedProgram &program, const ir::Module &module, const SourceSet &sources, const EmitOptions &options) {
@@ -233,7 +320,7 @@ Frame make_frame(const CheckedProgram &program, const ir::Module &module, const 
           make_layout(module, program.parameters, options.limits),
           options.class_name.empty() ? class_name(list) : options.class_name,
           options.stem.empty() ? file_stem(list) : options.stem,
-          {*program.family, program.parameters}};
+          {*program.family, program.parameters, module.texts}};
 }
 
 std::string write_header(const Frame &frame) {
@@ -262,6 +349,11 @@ std::string write_header(const Frame &frame) {
     out.line("/// One scan. The host writes the inputs before it and takes the outputs after it. `now` is the host's clock in");
     out.line("/// microseconds; it may wrap around.");
     out.line("void scan(ladder::Micros now) noexcept;");
+    if (has_events(frame.module)) {
+      out.blank();
+      out.line("/// An input terminal changes between scans: high-speed counters count and interrupt routines run at once.");
+      out.line("void input(unsigned number, ladder::bit state) noexcept;");
+    }
     write_private(frame, out);
   }
   out.blank();
@@ -282,19 +374,7 @@ std::string write_source(const Frame &frame, unsigned file) {
     out.blank();
     write_frame_functions(frame, out);
   }
-  if (!frame.single_function())
-    for (const Chunk &chunk : frame.layout.chunks) {
-      if (chunk.file != file)
-        continue;
-      out.blank();
-      const Block body = out.block(
-          fmt::format("{} {}::{}() noexcept", chunk.can_stop ? "bool" : "void", frame.class_name, frame.chunk_name(chunk)));
-      write_rungs(frame, out, chunk, name);
-      if (chunk.can_stop) {
-        out.blank();
-        out.line("return true;");
-      }
-    }
+  write_routines(frame, out, file, name);
   out.blank();
   out.line("}}  // namespace {}", frame.options.name_space);
   return out.take();
@@ -315,10 +395,16 @@ std::string emit_rungs(const CheckedProgram &program, const ir::Module &module, 
                        const EmitOptions &options) {
   const Frame frame = make_frame(program, module, sources, options);
   Writer out;
-  for (const Chunk &chunk : frame.layout.chunks) {
-    if (&chunk != &frame.layout.chunks.front())
-      out.blank();
-    write_rungs(frame, out, chunk, frame.stem + ".cpp");
+  for (std::size_t routine = 0; routine < module.routines.size(); ++routine) {
+    if (module.routines.size() > 1)
+      out.line("{}{}:", routine ? "\n" : "", routine_name(module.routines[routine]));
+    bool first = true;
+    for (const Chunk &chunk : frame.layout.routines[routine].chunks) {
+      if (!first)
+        out.blank();
+      first = false;
+      write_rungs(frame, out, routine, chunk, frame.stem + ".cpp");
+    }
   }
   return out.take();
 }

@@ -75,10 +75,10 @@ void write_rung_comment(const Frame &frame, Writer &out, const ir::Rung &rung,
 
 }  // namespace
 
-void write_rungs(const Frame &frame, Writer &out, const Chunk &chunk, llvm::StringRef file_name) {
-  const std::vector<ir::Rung> &rungs = frame.module.routines.front().rungs;
+void write_rungs(const Frame &frame, Writer &out, std::size_t routine, const Chunk &chunk, llvm::StringRef file_name) {
+  const std::vector<ir::Rung> &rungs = frame.module.routines[routine].rungs;
   RungEmitter emitter(frame.module, frame.places, out, frame.options.level > 0);
-  emitter.begin_function();
+  emitter.begin_function(frame.module.routines[routine]);
   if (frame.options.line_directives)
     emitter.set_before_statement(
         [&](std::uint32_t step) { out.left(fmt::format("#line {} {}", line_of_step(frame, step), quoted(frame.list().name()))); });
@@ -89,7 +89,7 @@ void write_rungs(const Frame &frame, Writer &out, const Chunk &chunk, llvm::Stri
       out.blank();
     std::vector<std::string> statements;
     std::vector<std::pair<std::uint32_t, std::string>> notes;
-    comments.take(rung.first_instruction + rung.instruction_count - 1, statements, notes);
+    comments.take(rung.first_instruction + std::max(rung.instruction_count, 1U) - 1, statements, notes);
     for (const std::string &statement : statements)
       out.comment(statement);
     write_rung_comment(frame, out, rung, notes);

@@ -3,11 +3,24 @@
 #include "emit/list_text.h"
 #include "emit/names.h"
 
+#include "llvm/ADT/STLExtras.h"
 #include "llvm/Support/Path.h"
 
 namespace ladderc::emit {
 
 namespace {
+
+bool in_table(const DeviceInfo &device) {
+  return device.kind != DeviceKind::Nesting && device.kind != DeviceKind::Label;
+}
+
+/// Place of a class in the table.
+unsigned row_of(const Frame &frame, DeviceId wanted) {
+  unsigned row = 0;
+  for (DeviceId id = 0; id < wanted; ++id)
+    row += in_table(frame.program.family->devices[id]);
+  return row;
+}
 
 void write_devices(const Frame &frame, Writer &out) {
   out.line("const {} probe{{}};  // only its addresses are used", frame.class_name);
@@ -21,20 +34,32 @@ void write_devices(const Frame &frame, Writer &out) {
   for (std::size_t id = 0; id < frame.layout.count.size(); ++id) {
     const DeviceInfo &device = frame.program.family->devices[id];
     const auto device_id = static_cast<DeviceId>(id);
-    if (device.kind == DeviceKind::Nesting || device.kind == DeviceKind::Label)
+    if (!in_table(device))
       continue;
-    const char *shape = device.kind == DeviceKind::Bit       ? "Bits"
-                        : device.kind == DeviceKind::Timer   ? "Timers"
-                        : device.kind == DeviceKind::Counter ? "Counters"
-                                                             : "Words";
+    const char *shape = device.kind == DeviceKind::Bit           ? "Bits"
+                        : device.kind == DeviceKind::Timer       ? "Timers"
+                        : device.kind == DeviceKind::Counter     ? "Counters"
+                        : device.kind == DeviceKind::LongCounter ? "LongCounters"
+                                                                 : "Words";
     const bool present = frame.own_image(device_id) || frame.in_system(device_id);
     const std::string image = "probe." + device.image.str();
-    out.line("{{{}, {}, {}, {}, {}, {}, {}, {}}},", quoted(device.prefix),
-             present ? fmt::format("ladder::shape_of<decltype({})>()", image) : fmt::format("ladder::Shape::{}", shape),
-             unsigned(device.radix), device.external_input, device.external_output,
-             present ? fmt::format("ladder::count_of<decltype({})>()", image) : "0", frame.program.parameters.points[id],
-             present ? fmt::format("offset_of(&{})", image) : "0");
+    std::string row = fmt::format(
+        "{}, {}, {}, {}, {}, {}, {}, {}", quoted(device.prefix),
+        present ? fmt::format("ladder::shape_of<decltype({})>()", image) : fmt::format("ladder::Shape::{}", shape),
+        unsigned(device.radix), device.external_input, device.external_output,
+        present ? fmt::format("ladder::count_of<decltype({})>()", image) : "0", frame.program.parameters.points[id],
+        present ? fmt::format("offset_of(&{})", image) : "0");
+    if (device.first || !device.container.empty() || device.high_words != kNoDevice)
+      row += fmt::format(", {}, {}", device.first, present ? fmt::format("ladder::stride_of<decltype({})>()", image) : "0");
+    if (device.high_words != kNoDevice)
+      row += fmt::format(", {}", row_of(frame, device.high_words));
+    out.line("{{{}}},", row);
   }
+}
+
+/// An index register can lead out of the devices: an operation error of instructions that have none themselves.
+bool instruction_is_indexed(const Frame &frame, const Instruction &instruction) {
+  return llvm::any_of(frame.program.list.operands_of(instruction), [](const Operand &o) { return o.index != kNoDevice; });
 }
 
 unsigned write_steps(const Frame &frame, Writer &out) {
@@ -43,7 +68,7 @@ unsigned write_steps(const Frame &frame, Writer &out) {
   for (const Instruction &instruction : frame.program.list.instructions) {
     const InstructionInfo &info = *instruction.info;
     const bool end = info.lowering == Lowering::End;
-    if (info.error_code || info.stops_scan || end) {
+    if (info.error_code || info.stops_scan || end || instruction_is_indexed(frame, instruction)) {
       out.line("{{{}, {}, {}}},", instruction.step, frame.sources.position(instruction.range).line,
                quoted(list_text(frame.program, instruction)));
       ++count;
@@ -102,6 +127,13 @@ void write_entries(const Frame &frame, Writer &out) {
         fmt::format("return static_cast<const {} *>(program)->sys.status();", name).c_str());
   entry("void set_calendar(void *program, ladder::Calendar calendar)", "self(program).sys.set_calendar(calendar);");
   entry("void watchdog(void *program)", "self(program).sys.watchdog_error();");
+  if (!frame.program.family->clears_on_stop)
+    return;
+  entry("void connect(void *program, ladder::Io *io)", "self(program).sys.connect(io);");
+  if (has_events(frame.module))
+    entry("void input(void *program, unsigned number, bool state)", "self(program).input(number, ladder::bit(state));");
+  if (has_interrupts(frame.module))
+    entry("void interrupt(void *program, unsigned pointer)", "self(program).sys.raise(pointer);");
 }
 
 void write_errors(const Frame &frame, Writer &out) {
@@ -159,6 +191,9 @@ std::string write_symbols(const Frame &frame) {
     out.line("kErrors, sizeof kErrors / sizeof *kErrors,");
     out.line("construct, power_on, set_mode, scan, status, set_calendar,");
     out.line("{}, watchdog,", frame.program.parameters.watchdog_us);
+    if (frame.program.family->clears_on_stop)
+      out.line("connect, {}, {},", has_events(frame.module) ? "input" : "nullptr",
+               has_interrupts(frame.module) ? "interrupt" : "nullptr");
   }
   out.blank();
   out.line("}}  // namespace {}", frame.options.name_space);

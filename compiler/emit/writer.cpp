@@ -96,9 +96,12 @@ void Writer::comment(llvm::StringRef text, unsigned hang) {
 }
 
 Block Writer::block(llvm::StringRef head, llvm::StringRef end) {
-  statement(head.str() + " {");
-  indent_ += 2;
-  return Block(*this, end.str());
+  return Block(*this, head.empty() ? "{" : head.str() + " {", end);
+}
+
+Block::Block(Writer &writer, llvm::StringRef head, llvm::StringRef end) : writer_(&writer), end_(end.str()) {
+  writer.statement(head);
+  writer.indent_ += 2;
 }
 
 Block::~Block() {

@@ -14,7 +14,8 @@ class Writer;
 /// Closes its block when it goes away.
 class Block {
 public:
-  Block(Writer &writer, std::string end) : writer_(&writer), end_(std::move(end)) {}
+  /// Opens it: `head` has the brace.
+  Block(Writer &writer, llvm::StringRef head, llvm::StringRef end = "}");
   Block(const Block &) = delete;
   Block &operator=(const Block &) = delete;
   ~Block();
@@ -42,6 +43,7 @@ public:
   /// A line at the left edge: preprocessor, access specifier.
   void left(llvm::StringRef line, unsigned indent = 0);
 
+  llvm::StringRef text_so_far() const { return out_; }
   unsigned lines() const { return lines_; }
   std::string take() { return std::move(out_); }
 

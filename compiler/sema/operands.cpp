@@ -102,6 +102,7 @@ bool OperandChecker::check(const OperandInfo &info, const Operand &operand) {
     return check_number(operand);
   case OperandKind::Device:
     return info.type == OperandType::Level /* master.cpp */ || (check_number(operand) && check_end(info, operand));
+  case OperandKind::Text:
   case OperandKind::Invalid:
     break;
   }

@@ -38,6 +38,7 @@ bool fits(const OperandInfo &info, const Operand &operand) {
     return info.decimal;
   case OperandKind::Hexadecimal:
     return info.hexadecimal;
+  case OperandKind::Text:
   case OperandKind::Invalid:
     return true;
   }

@@ -28,6 +28,7 @@ bool qualifies(const FamilyInfo &family, const OperandInfo &info, const Operand 
   case OperandKind::Hexadecimal:
     return true;
   case OperandKind::BitOfWord:
+  case OperandKind::Text:
   case OperandKind::Invalid:
     return false;
   }

@@ -39,6 +39,7 @@ void print_operand(const FamilyInfo &family, const Operand &operand, const Sourc
   case OperandKind::Hexadecimal:
     print_number(operand.value, 16, out << "hexadecimal ");
     break;
+  case OperandKind::Text:
   case OperandKind::Invalid:
     out << "unreadable " << sources.text(operand.range);
     break;

@@ -90,7 +90,7 @@ def OUT_CL : DrivenForm<"OUT", StyleSystem, "count", [LongCounterOperand<"D", 20
   let example = Rung<"LD X0\nOUT C200 K-5\nLD C200\nOUT Y0\nLD X1\nRST C200">.text;
 }
 }
-let section = "2.8" in
+let section = "2.8", category = "high-speed" in
 def OUT_HSC : DrivenForm<"OUT", StyleSystem, "enable_high_speed", [LongCounterOperand<"D", 235, 255>, SetValue<OpDWord>], 5> {
   let title = "High-speed counter";
   let description = "While ON, pulses of the counter's own inputs count at once, independent of the scan. Direction relays M8235-M8245 for "
