@@ -176,7 +176,7 @@ class Instruction<string f, string m> {
   bit passesSystem = 0;       // the function takes `sys` as its last argument
   int maxUses = 0;            // so many may stand in a program, all forms of the mnemonic together; 0: any number
   Lowering transferOutside = LowerNothing;  // of LowerTransfer: LowerSet or LowerStore
-  bit seesDevices = 0;        // reads or writes devices that are not among its operands
+  list<string> images = [];   // prefixes of the classes whose whole images the function gets in front of its operands
 }
 
 // The backend is run once per family file, grammar/<family>.td, which has one Family record: every Instruction, Special and

@@ -3,6 +3,8 @@
 
 #include "ir/extent.h"
 
+#include "llvm/ADT/STLExtras.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,7 +20,7 @@ namespace {
 constexpr unsigned kMaxExpressionSize = 48;
 
 bool is_edge(const Operation &o) {
-  return o.op == Op::Rising || o.op == Op::Falling;
+  return ir::is_edge(o.op);
 }
 bool is_effect(const Operation &o) {
   return !ir::is_value(o.op) || is_edge(o);
@@ -72,7 +74,7 @@ void RungPlan::decide(const ir::Module &module) {
         inlined_[i] = true;  // and never asked for
         continue;
       }
-      const bool repeatable = o.op == Op::Constant || o.op == Op::Load;
+      const bool repeatable = o.op == Op::Constant || o.op == Op::Load || o.op == Op::Active;
       if (uses == 1 || (uses > 1 && repeatable))
         inlined_[i] = size[o.result] <= kMaxExpressionSize && may_move(module, i, last_use[o.result]);
       if (inlined_[i])
@@ -118,18 +120,30 @@ std::string operand_of(const Expression &expression, Precedence at_least) {
   return expression.precedence < at_least ? "(" + expression.text + ")" : expression.text;
 }
 
-std::string call_text(const PlaceContext &context, const Operation &operation) {
+std::string arguments_text(const PlaceContext &context, const Operation &operation) {
   const InstructionInfo &info = *operation.info;
   std::string arguments;
+  auto add = [&](const std::string &text) { arguments += (arguments.empty() ? "" : ", ") + text; };
+  for (llvm::StringRef image : info.images)
+    add(context.family.devices[find_device(context.family, image)].image.str());
   for (const ir::Place &p : operation.inputs)
-    arguments += (arguments.empty() ? "" : ", ") + input_text(context, p);
-  if (info.function.empty())
-    return arguments.empty() ? "0" : arguments;
+    add(input_text(context, p));
   if (info.style != CallStyle::Value)
     for (const ir::Place &p : operation.outputs)
-      if (p.type != OperandType::WordBlock)  // a block stands among the inputs
-        arguments += (arguments.empty() ? "" : ", ") + output_text(context, p);
-  return fmt::format("ops::{}({})", info.function.str(), arguments);
+      // Blocks, runs and objects that are read, too, stand among the inputs already.
+      if (!ir::is_run(p.type) && !(p.kind == ir::PlaceKind::Object && llvm::is_contained(operation.inputs, p)))
+        add(output_text(context, p));
+  if (info.passes_system)
+    add("sys");
+  return arguments;
+}
+
+std::string call_text(const PlaceContext &context, const Operation &operation) {
+  const InstructionInfo &info = *operation.info;
+  const std::string arguments = arguments_text(context, operation);
+  if (info.function.empty())
+    return arguments.empty() ? "0" : arguments;
+  return fmt::format("{}::{}({})", context.family.ops.str(), info.function.str(), arguments);
 }
 
 }  // namespace ladderc::emit

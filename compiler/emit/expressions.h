@@ -51,6 +51,8 @@ struct Expression {
 /// `text`, in parentheses where it binds looser than `at_least`.
 std::string operand_of(const Expression &expression, Precedence at_least);
 
+/// What a function of the runtime gets: images, inputs, outputs that it writes itself, the system.
+std::string arguments_text(const PlaceContext &context, const ir::Operation &operation);
 /// Text of `ops::f(a, b)`; for a nameless function the place, and without a place 0.
 std::string call_text(const PlaceContext &context, const ir::Operation &operation);
 

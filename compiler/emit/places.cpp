@@ -4,6 +4,7 @@
 // known here, so the output names the parts one by one: pair(D[6143], W[0]).
 #include "emit/places.h"
 
+#include "emit/names.h"
 #include "ir/extent.h"
 #include "syntax/parser.h"
 
@@ -20,32 +21,64 @@ const DeviceInfo &device_of(const PlaceContext &context, const Place &place) {
   return context.family.devices[place.device];
 }
 
-std::string word_text(const PlaceContext &context, DevicePoint point) {
-  const DeviceInfo &device = context.family.devices[point.device];
-  std::string text = fmt::format("{}[{}]", device.image.str(), subscript(device, point.number));
-  return device.kind == DeviceKind::Word ? text : text + ".value";
+/// An index register: `Z[0]`, or the pair of 32-bit instructions.
+std::string index_text(const PlaceContext &context, const Place &place) {
+  const DeviceInfo &device = context.family.devices[place.index];
+  const std::string low = fmt::format("{}[{}]", device.image.str(), place.index_number);
+  if (!place.wide_index || device.high_words == kNoDevice)
+    return low;
+  return fmt::format("pair({}, {}[{}])", low, context.family.devices[device.high_words].image.str(), place.index_number);
+}
+
+/// The number of the place, `first` numbers behind it: `5`, `0x1F`, `at(20, V[0])`.
+std::string number_of(const PlaceContext &context, const Place &place, std::uint32_t first = 0) {
+  const std::string number = subscript(device_of(context, place), place.number + first);
+  return place.is_indexed() ? fmt::format("at({}, {})", number, index_text(context, place)) : number;
+}
+
+bool has_value_member(const DeviceInfo &device) {
+  return device.kind == DeviceKind::Timer || device.kind == DeviceKind::Counter || device.kind == DeviceKind::LongCounter;
+}
+
+std::string element_text(const DeviceInfo &device, const std::string &number) {
+  return fmt::format("{}[{}]{}", device.image.str(), number, has_value_member(device) ? ".value" : "");
 }
 
 bool crosses(const PlaceContext &context, const Place &place, std::uint32_t count) {
-  return crosses_end(context.family, context.parameters, place.device, place.number, count);
+  return !place.is_indexed() && crosses_end(context.family, context.parameters, place.device, place.number, count);
+}
+
+/// The word that lies `distance` words behind the place.
+std::string word_behind(const PlaceContext &context, const Place &place, std::uint32_t distance) {
+  const DeviceInfo &device = device_of(context, place);
+  if (device.high_words != kNoDevice) {
+    const DeviceInfo &high = context.family.devices[device.high_words];
+    return element_text(distance % 2 == 0 ? device : high, number_of(context, place, distance / 2));
+  }
+  if (place.is_indexed())
+    return element_text(device, number_of(context, place, distance));
+  const DevicePoint point = point_behind(context.family, context.parameters, {place.device, place.number}, distance);
+  const DeviceInfo &there = context.family.devices[point.device];
+  return element_text(there, subscript(there, point.number));
 }
 
 /// `count` words from `first` words behind the place, as arguments.
 std::string words(const PlaceContext &context, const Place &place, std::uint32_t first, std::uint32_t count) {
   std::string text;
   for (std::uint32_t i = first; i < first + count; ++i)
-    text += (text.empty() ? "" : ", ") +
-            word_text(context, point_behind(context.family, context.parameters, {place.device, place.number}, i));
+    text += (text.empty() ? "" : ", ") + word_behind(context, place, i);
   return text;
 }
 
 /// Two or four words from `first` words behind the place as one value.
 std::string wide_text(const PlaceContext &context, const Place &place, std::uint32_t first, std::uint32_t count) {
   const DeviceInfo &device = device_of(context, place);
-  const char *name = count == 2 ? "pair" : "quad";
-  if (device.kind != DeviceKind::Word || crosses(context, place, first + count))
+  if (device.kind == DeviceKind::LongCounter)
+    return element_text(device, number_of(context, place, first / 2));
+  const char *name = place.type == OperandType::Real ? "real" : count == 2 ? "pair" : "quad";
+  if (device.kind != DeviceKind::Word || device.high_words != kNoDevice || crosses(context, place, first + count))
     return fmt::format("{}({})", name, words(context, place, first, count));
-  return fmt::format("{}.{}({})", device.image.str(), name, subscript(device, place.number + first));
+  return fmt::format("{}.{}({})", device.image.str(), name, number_of(context, place, first));
 }
 
 std::string digit_references(const PlaceContext &context, const Place &place) {
@@ -58,7 +91,7 @@ std::string digit_references(const PlaceContext &context, const Place &place) {
   return "digits_of(" + text + ")";
 }
 
-std::string constant_text(const Place &place) {
+std::string plain_constant(const Place &place) {
   const bool wide = place.type == OperandType::DWord;
   if (place.kind == PlaceKind::Hex) {
     const std::uint64_t pattern = static_cast<std::uint64_t>(place.value) & (wide ? 0xFFFFFFFFu : 0xFFFFu);
@@ -69,12 +102,32 @@ std::string constant_text(const Place &place) {
   return place.value == INT32_MIN ? "dword(-2147483647 - 1)" : fmt::format("{}", place.value);
 }
 
-std::string block_text(const PlaceContext &context, const Place &place) {
+std::string constant_text(const PlaceContext &context, const Place &place) {
+  if (place.type == OperandType::Real)
+    return fmt::format("{}.0F", place.value);
+  if (!place.is_indexed())
+    return plain_constant(place);
+  return fmt::format("plus({}{{{}}}, {})", place.type == OperandType::DWord ? "dword" : "word", plain_constant(place),
+                     index_text(context, place));
+}
+
+/// Blocks and bit runs.
+std::string run_text(const PlaceContext &context, const Place &place) {
   const DeviceInfo &device = device_of(context, place);
-  const std::string at = subscript(device, place.number);
+  const std::string at = number_of(context, place);
+  const bool wide = place.type == OperandType::DWordBlock;
   if (place.kind == PlaceKind::Digits)
-    return fmt::format("{}.digit_block<{}>({})", device.image.str(), place.digits, at);
-  return fmt::format("{}.block({})", device.image.str(), at);
+    return fmt::format("{}.digit_{}<{}>({})", device.image.str(), wide ? "dblock" : "block", place.digits, at);
+  const char *name = place.kind == PlaceKind::Bit ? "run" : wide ? "dblock" : "block";
+  return fmt::format("{}.{}({})", device.image.str(), name, at);
+}
+
+/// How many numbers of its class the place takes.
+std::uint32_t numbers_of(const DeviceInfo &device, const Place &place) {
+  if (place.kind == PlaceKind::Digits)
+    return 4u * place.digits * (place.count ? place.count : 1u);
+  const std::uint32_t words = place.count ? place.count * (place.type == OperandType::DWordBlock ? 2u : 1u) : ir::words_of(place.type);
+  return device.kind == DeviceKind::LongCounter || device.high_words != kNoDevice ? (words + 1) / 2 : words;
 }
 
 }  // namespace
@@ -101,55 +154,74 @@ std::string bit_text(const PlaceContext &context, const Place &place) {
   if (place.kind == PlaceKind::Master)
     return fmt::format("master[{}]", place.number);
   const DeviceInfo &device = device_of(context, place);
-  const std::string at = subscript(device, place.number);
+  const std::string at = number_of(context, place);
   if (place.kind == PlaceKind::WordBit)
     return fmt::format("{}.bit({}, {})", device.image.str(), at, place.bit);
-  const bool contact = device.kind == DeviceKind::Timer || device.kind == DeviceKind::Counter;
-  return fmt::format("{}[{}]{}", device.image.str(), at, contact ? ".contact" : "");
+  return fmt::format("{}[{}]{}", device.image.str(), at, has_value_member(device) ? ".contact" : "");
+}
+
+std::string range_check(const PlaceContext &context, const Place &place) {
+  const DeviceInfo &device = device_of(context, place);
+  const std::uint32_t count = numbers_of(device, place);
+  return fmt::format("{}.has({}{})", device.image.str(), number_of(context, place), count > 1 ? fmt::format(", {}", count) : "");
 }
 
 std::string input_text(const PlaceContext &context, const Place &place) {
+  if (place.type == OperandType::String)
+    return fmt::format("{0}, {1}", quoted(context.texts[static_cast<std::size_t>(place.value)]),
+                       context.texts[static_cast<std::size_t>(place.value)].size());
   if (place.is_constant())
-    return constant_text(place);
-  if (place.type == OperandType::WordBlock)
-    return block_text(context, place);
+    return constant_text(context, place);
+  if (place.kind == PlaceKind::Label)
+    return fmt::format("{}", place.number);
+  if (place.kind == PlaceKind::Object)
+    return object_text(context, place);
+  if (ir::is_run(place.type))
+    return run_text(context, place);
+  if (place.kind == PlaceKind::Bit)
+    return bit_text(context, place);
   const DeviceInfo &device = device_of(context, place);
   if (place.kind == PlaceKind::Digits) {
     const char *width = place.type == OperandType::Word ? "word" : "dword";
     if (crosses(context, place, 4u * place.digits))
       return fmt::format("{}.{}()", digit_references(context, place), width);
-    return fmt::format("{}.{}<{}>({})", device.image.str(), width, place.digits, subscript(device, place.number));
+    return fmt::format("{}.{}<{}>({})", device.image.str(), width, place.digits, number_of(context, place));
   }
   const std::uint32_t count = ir::words_of(place.type);
-  return count == 1 ? word_text(context, {place.device, place.number}) : wide_text(context, place, 0, count);
+  return count == 1 ? word_behind(context, place, 0) : wide_text(context, place, 0, count);
 }
 
 std::string output_text(const PlaceContext &context, const Place &place) {
   const DeviceInfo &device = device_of(context, place);
-  if (place.type == OperandType::WordBlock)
-    return block_text(context, place);
+  if (place.kind == PlaceKind::Object)
+    return object_text(context, place);
+  if (ir::is_run(place.type))
+    return run_text(context, place);
+  if (place.kind == PlaceKind::Bit)
+    return bit_text(context, place);
   if (place.kind == PlaceKind::Digits) {
     if (crosses(context, place, 4u * place.digits))
       return digit_references(context, place);
-    return fmt::format("{}.digits<{}>({})", device.image.str(), place.digits, subscript(device, place.number));
+    return fmt::format("{}.digits<{}>({})", device.image.str(), place.digits, number_of(context, place));
   }
   switch (place.type) {
   case OperandType::DWord:
+  case OperandType::Real:
     return wide_text(context, place, 0, 2);
   case OperandType::QWord:
     return wide_text(context, place, 0, 4);
   case OperandType::WordTwice:
-    return words(context, place, 0, 2);
+    return device.kind == DeviceKind::LongCounter ? wide_text(context, place, 0, 2) : words(context, place, 0, 2);
   case OperandType::DWordTwice:
     return wide_text(context, place, 0, 2) + ", " + wide_text(context, place, 2, 2);
   default:
-    return word_text(context, {place.device, place.number});
+    return word_behind(context, place, 0);
   }
 }
 
 std::string object_text(const PlaceContext &context, const Place &place) {
   const DeviceInfo &device = device_of(context, place);
-  const std::string at = subscript(device, place.number);
+  const std::string at = number_of(context, place);
   if (place.type == OperandType::Annunciator)
     return fmt::format("{}, {}", device.image.str(), at);
   return fmt::format("{}[{}]", device.image.str(), at);

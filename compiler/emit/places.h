@@ -13,6 +13,7 @@ namespace ladderc::emit {
 struct PlaceContext {
   const FamilyInfo &family;
   const Parameters &parameters;
+  llvm::ArrayRef<std::string> texts = {};  ///< of the module: string operands
 };
 
 /// `X[0x1F]`, `T[0].contact`, `D.bit(0, 5)`, `edge[3]`, `master[0]`.
@@ -21,6 +22,8 @@ std::string bit_text(const PlaceContext &context, const ir::Place &place);
 std::string input_text(const PlaceContext &context, const ir::Place &place);
 /// A place that is written. Two-result operands give two texts, joined by ", ".
 std::string output_text(const PlaceContext &context, const ir::Place &place);
+/// `D.has(at(20, V[0]), 2)`: whether an indexed place lies in its class.
+std::string range_check(const PlaceContext &context, const ir::Place &place);
 /// A timer or counter as an object: `T[0]`; an annunciator as two arguments: `F, 12`.
 std::string object_text(const PlaceContext &context, const ir::Place &place);
 /// Where an initial value is written: a bit, a word or a pair.

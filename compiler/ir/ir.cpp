@@ -102,7 +102,8 @@ Extent extent(const Module &module, const Place &place) {
 
 llvm::SmallVector<Extent, 2> index_extents(const Module &module, const Place &place) {
   llvm::SmallVector<Extent, 2> extents;
-  for (DeviceId device = place.index; device != kNoDevice; device = module.family->devices[device].high_words) {
+  for (DeviceId device = place.index; device != kNoDevice;
+       device = place.wide_index ? module.family->devices[device].high_words : kNoDevice) {
     Extent e;
     e.device = device;
     e.first = e.last = place.index_number;
@@ -141,7 +142,7 @@ bool is_barrier(const Operation &o) {
     return false;
   // An error that the system is told by the function itself does not end the scan; then it writes special devices and no more.
   const bool may_end_scan = o.info->stops_scan || (o.info->style == CallStyle::Status && !o.info->passes_system);
-  return may_end_scan || o.info->style == CallStyle::System || o.info->sees_devices;
+  return may_end_scan || o.info->style == CallStyle::System || !o.info->images.empty();
 }
 
 }  // namespace ladderc::ir

@@ -56,6 +56,7 @@ struct Place {
   std::int64_t value = 0;  ///< of a constant, a text's index in the module's list
   DeviceId index = kNoDevice;      ///< class of the index register that modifies the number or the constant
   std::uint8_t index_number = 0;
+  bool wide_index = false;         ///< the index is the pair of registers: 32-bit instructions
   std::uint16_t count = 0;         ///< of a block or bit run: how many, where the table entry says
 
   bool is_indexed() const { return index != kNoDevice; }

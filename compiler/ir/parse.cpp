@@ -238,13 +238,17 @@ private:
         o.info = &info;
     if (!o.info)
       return fail("no such instruction form");
-    for (std::size_t i = 0; i < inputs.size(); ++i)
-      if (!parse_place(inputs[i], o.inputs.emplace_back(), o.info->operands[o.info->inputs[i]].type))
-        return false;
-    for (std::size_t i = 0; i < outputs.size(); ++i)
-      if (!parse_place(outputs[i], o.outputs.emplace_back(), o.info->operands[o.info->outputs[i]].type))
-        return false;
-    return true;
+    auto parse_operands = [&](auto &words, llvm::ArrayRef<std::uint8_t> indexes, llvm::SmallVectorImpl<Place> &places) {
+      for (const auto &[word, index] : llvm::zip_equal(words, indexes)) {
+        const OperandInfo &operand = o.info->operands[index];
+        if (!parse_place(word, places.emplace_back(), operand.type))
+          return false;
+        places.back().count = operand.count;
+        places.back().wide_index = o.info->wide;
+      }
+      return true;
+    };
+    return parse_operands(inputs, o.info->inputs, o.inputs) && parse_operands(outputs, o.info->outputs, o.outputs);
   }
 
   /// True where the table entry takes those places at those operands: one form can have entries for words and for timers.

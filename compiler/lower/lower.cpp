@@ -284,8 +284,15 @@ private:
     module_.master_levels = std::max(module_.master_levels, number + 1);
     return p;
   }
-  Place operand(unsigned index) const {
-    return ir::to_place(program_.list.operands_of(*current_)[index], current_->info->operands[index]);
+  Place operand(unsigned index) {
+    const Operand &operand = program_.list.operands_of(*current_)[index];
+    Place place = ir::to_place(operand, current_->info->operands[index]);
+    place.wide_index = current_->info->wide;
+    if (place.type == OperandType::String) {
+      place.value = static_cast<std::int64_t>(module_.texts.size());
+      module_.texts.push_back(program_.list.texts[static_cast<std::size_t>(operand.value)]);
+    }
+    return place;
   }
   unsigned level(unsigned index) const { return static_cast<unsigned>(program_.list.operands_of(*current_)[index].value); }
 

@@ -9,6 +9,7 @@
 #include "tables/tables.h"
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace ladderc {
@@ -25,6 +26,7 @@ enum class OperandKind : std::uint8_t {
   Digits,       ///< K4X10: four digits from X10
   Decimal,      ///< K100
   Hexadecimal,  ///< H1F
+  Text,         ///< "ABC": a string; `value` is its index in ListProgram::texts
   Invalid,      ///< could not be read; a message has been reported
 };
 
@@ -69,6 +71,7 @@ struct ListProgram {
   unsigned file = 0;  ///< index in the SourceSet
   std::vector<Instruction> instructions;
   std::vector<Operand> operands;
+  std::vector<std::string> texts;  ///< string operands without their quotes
   std::vector<Comment> comments;  ///< in the order of their instructions
   SourceRange end_of_text;        ///< zero length, for messages about what is missing
 

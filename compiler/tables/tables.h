@@ -217,7 +217,7 @@ struct InstructionInfo {
   bool passes_system = false; ///< the function takes `sys` as its last argument
   std::uint8_t max_uses = 0;  ///< so many may stand in a program, all forms of the mnemonic together; 0: any number
   Lowering transfer_outside = Lowering::Nothing;  ///< of Transfer: Set or Store
-  bool sees_devices = false;  ///< reads or writes devices that are not among its operands
+  llvm::ArrayRef<llvm::StringRef> images = {};  ///< classes, by prefix, whose whole images the function gets behind the condition
 };
 
 struct SpecialInfo {

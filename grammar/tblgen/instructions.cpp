@@ -117,7 +117,8 @@ std::string instruction_text(const FamilyRecords &family, const Record &r, Array
       << quoted(llvm::join(r.getValueAsListOfStrings("errors"), "\n")) << ", " << integer("steps") << ", "
       << integer("stepsPerConstant") << ", " << integer("stepsSubset") << ", " << (r.getValueAsBit("equalDigits") ? "1" : "0")
       << ", " << time_array(r, arrays) << ", " << integer("number") << ", " << bit("wide") << ", " << bit("passesSystem") << ", "
-      << integer("maxUses") << ", Lowering::" << enumerator(r, "transferOutside") << ", " << bit("seesDevices") << "}";
+      << integer("maxUses") << ", Lowering::" << enumerator(r, "transferOutside") << ", "
+      << arrays.strings(r.getValueAsListOfStrings("images")) << "}";
   return result;
 }
 

@@ -84,6 +84,11 @@ private:
   WordPair pair_;
 };
 
+/// Words that do not lie side by side as one real number, low first.
+constexpr WordReal real(word &low, word &high) noexcept {
+  return {low, high};
+}
+
 /// N words, numbers 0 to N - 1. Numbers are not checked: the compiler knows them all.
 template <unsigned N> class Words {
 public:
