@@ -228,32 +228,32 @@ TEST_F(PositionTest, PulseRampBringsFrequenciesIntoTheRange) {
 TEST_F(PositionTest, HomeReturn) {
   HomeReturn zrn;
   sys.D.pair(8140) = 5000;
-  EXPECT_EQ(zrn.run(on, 9, 100, off, y(0), sys), kRange);
-  EXPECT_EQ(zrn.run(on, 1000, 9, off, y(0), sys), kRange);
-  EXPECT_EQ(zrn.run(on, 1000, 100, off, y(0), sys), kNone);
+  EXPECT_EQ(zrn.run(on, Y, 9, 100, off, y(0), sys), kRange);
+  EXPECT_EQ(zrn.run(on, Y, 1000, 9, off, y(0), sys), kRange);
+  EXPECT_EQ(zrn.run(on, Y, 1000, 100, off, y(0), sys), kNone);
   pass();
   EXPECT_EQ(position(), 4990) << "backwards";
-  EXPECT_EQ(zrn.run(on, 1000, 100, on, y(0), sys), kNone);
+  EXPECT_EQ(zrn.run(on, Y, 1000, 100, on, y(0), sys), kNone);
   pass();
   EXPECT_EQ(position(), 4989) << "creeps";
-  EXPECT_EQ(zrn.run(on, 1000, 100, on, y(0), sys), kNone);
+  EXPECT_EQ(zrn.run(on, Y, 1000, 100, on, y(0), sys), kNone);
   sys.M[8140] = on;
-  EXPECT_EQ(zrn.run(on, 1000, 100, off, y(0), sys), kNone);
+  EXPECT_EQ(zrn.run(on, Y, 1000, 100, off, y(0), sys), kNone);
   EXPECT_EQ(position(), 0);
   EXPECT_EQ(complete(), on);
   EXPECT_EQ(busy(), off);
   EXPECT_EQ(Y[2], on) << "the clear signal";
   pass();
   EXPECT_EQ(Y[2], on);
-  EXPECT_EQ(zrn.run(on, 1000, 100, on, y(0), sys), kNone);
-  EXPECT_EQ(zrn.run(on, 1000, 100, off, y(0), sys), kNone);
+  EXPECT_EQ(zrn.run(on, Y, 1000, 100, on, y(0), sys), kNone);
+  EXPECT_EQ(zrn.run(on, Y, 1000, 100, off, y(0), sys), kNone);
   EXPECT_EQ(complete(), on);
   pass();
   EXPECT_EQ(Y[2], off);
-  EXPECT_EQ(zrn.run(off, 1000, 100, off, y(0), sys), kNone);
-  EXPECT_EQ(zrn.run(on, 1000, 100, on, y(0), sys), kNone);
+  EXPECT_EQ(zrn.run(off, Y, 1000, 100, off, y(0), sys), kNone);
+  EXPECT_EQ(zrn.run(on, Y, 1000, 100, on, y(0), sys), kNone);
   EXPECT_EQ(sys.pulses[0].frequency(), 100U) << "a drive at the near point";
-  EXPECT_EQ(zrn.run(off, 1000, 100, on, y(0), sys), kNone);
+  EXPECT_EQ(zrn.run(off, Y, 1000, 100, on, y(0), sys), kNone);
   EXPECT_EQ(busy(), off);
   EXPECT_EQ(complete(), off);
 }
@@ -261,14 +261,14 @@ TEST_F(PositionTest, HomeReturn) {
 TEST_F(PositionTest, HomeReturnOfTheOtherOutput) {
   DHomeReturn zrn;
   sys.M[8140] = on;
-  EXPECT_EQ(zrn.run(on, 100000, 32767, on, y(1), sys), kNone);
-  EXPECT_EQ(zrn.run(on, 100000, 32767, off, y(1), sys), kNone);
+  EXPECT_EQ(zrn.run(on, Y, 100000, 32767, on, y(1), sys), kNone);
+  EXPECT_EQ(zrn.run(on, Y, 100000, 32767, off, y(1), sys), kNone);
   EXPECT_EQ(Y[3], on);
   EXPECT_EQ(Y[2], off);
-  EXPECT_EQ(zrn.run(off, 100000, 32768, off, y(1), sys), kNone);
+  EXPECT_EQ(zrn.run(off, Y, 100000, 32768, off, y(1), sys), kNone);
   pass(20);
   EXPECT_EQ(Y[3], off);
-  EXPECT_EQ(zrn.run(on, 100000, 32768, off, y(1), sys), kRange);
+  EXPECT_EQ(zrn.run(on, Y, 100000, 32768, off, y(1), sys), kRange);
 }
 
 TEST_F(PositionTest, VariablePulses) {

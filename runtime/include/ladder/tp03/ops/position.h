@@ -167,7 +167,8 @@ using DPulseRamp = PulseRampOf<dword>;
 // ---------------------------------------------------------------------------------------------- F156, F157
 template <class Word> class HomeReturnOf : PulseDrive {
 public:
-  template <class Run, class S> Fault run(bit condition, Word speed, Word creep, bit near, Run output, S &sys) noexcept {
+  template <class Image, class Run, class S>
+  Fault run(bit condition, Image &y, Word speed, Word creep, bit near, Run output, S &sys) noexcept {
     if (!driven(condition, sys))
       return Fault::None;
     if (state_ == State::Idle) {
@@ -183,19 +184,19 @@ public:
       if (near & !near_)
         sys.pulses[channel_].change(creep_, false);
       else if (near_ & !near)
-        arrive(output, sys);
+        arrive(y, sys);
       near_ = near;
     }
     return report(sys);
   }
 
 private:
-  template <class Run, class S> void arrive(Run output, S &sys) noexcept {
+  template <class Image, class S> void arrive(Image &y, S &sys) noexcept {
     sys.pulses[channel_].stop();
     sys.pulses.show(channel_, sys.M, sys.io());
     sys.D.pair(Pulses::kPosition + 2U * channel_) = 0;
     if (sys.M[8140])
-      sys.pulses.clear_servo(channel_, Run(*output.image(), 2U + channel_));
+      sys.pulses.clear_servo(channel_, y.run(2U + channel_));
     state_ = State::Done;
   }
 
