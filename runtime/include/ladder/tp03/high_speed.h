@@ -82,7 +82,13 @@ public:
   static constexpr unsigned kComparisons = 6;
 
   /// RUN begins or ends: nobody counts or compares.
-  constexpr void restart() noexcept { *this = HighSpeed{}; }
+  constexpr void restart() noexcept {
+    const std::uint32_t epoch = epoch_ + 1;
+    *this = HighSpeed{};
+    epoch_ = epoch;
+  }
+  /// Changes with restart(): what an instruction remembers from before is over.
+  std::uint32_t epoch() const noexcept { return epoch_; }
 
   /// OUT C235-C254.
   void enable(LongCounter &counter, unsigned number, bit condition) noexcept {
@@ -93,7 +99,7 @@ public:
     enabled_ = condition ? enabled_ | mask : enabled_ & ~mask;
   }
 
-  /// The comparison of an instruction, entered if it was not; null where all places are taken.
+  /// The comparison of an instruction; one without action is new. Null where all places are taken.
   CountComparison *enter(const void *place) noexcept {
     CountComparison *found = find(place);
     if (found == nullptr)
@@ -243,6 +249,7 @@ private:
   std::uint32_t rises_[kInputs] = {};
   std::uint32_t enabled_ = 0;  ///< bit 0 is C235
   std::uint32_t levels_ = 0, known_ = 0;
+  std::uint32_t epoch_ = 0;
 };
 
 }  // namespace ladder::tp03
