@@ -18,6 +18,9 @@ class Points<string m, int n> { string model = m; int points = n; }
 // Numbers first to last, inclusive, on a model; "" is all models.
 class Numbers<int f, int l, string m = ""> { string model = m; int first = f; int last = l; }
 
+// Inputs (bit n: the n-th terminal) that numbers first to last have for themselves.
+class Terminals<int f, int l, int mask> { int first = f; int last = l; int inputs = mask; }
+
 // One device class: prefix as written, radix of the number, default points.
 class Device<string p, string t, DeviceKind k, int r, int n> {
   string prefix = p;
@@ -41,6 +44,8 @@ class Device<string p, string t, DeviceKind k, int r, int n> {
   string highWords = "";       // prefix of the class that holds the high words of pairs: "V" of Z
   list<Numbers> missing = [];  // numbers that do not exist
   list<Numbers> latched = [];  // kept over power-off and STOP unless the parameters say otherwise
+  list<Numbers> exclusive = [];    // of each such run a program may use one number
+  list<Terminals> terminals = [];  // of the numbers that a program drives or places
   string behaviour = "";
   string section = "";
 }
@@ -207,6 +212,7 @@ class Family<string i, string t, string man> {
   int maxLoops = 0;
   int maxCalls = 0;
   int maxMerge = 0;            // STL in succession
+  int warnedMerge = 0;         // from which on a warning is due
   int endLabel = -1;           // P63
   string base = "";            // id of the family whose instructions it shares
 }

@@ -31,6 +31,8 @@ struct Scenario {
   std::string parameters;  ///< JSON object
   double clock_ms = 10;
   std::string calendar;
+  /// `serial`, `potentiometers` and `expansion_card` out of the parameters: what the runner connects to the controller.
+  nlohmann::ordered_json connected = nlohmann::ordered_json::object();
   nlohmann::ordered_json steps;
   std::vector<ExpectedDiagnostic> diagnostics;
   bool optional = false;

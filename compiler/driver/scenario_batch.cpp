@@ -25,6 +25,7 @@ namespace {
 using nlohmann::json;
 
 constexpr std::size_t kProgramsPerFile = 40;
+constexpr std::size_t kWriterLines = 12;  ///< of the report of one failure, about
 
 /// A scenario's program on its way into the runner.
 struct Candidate {
@@ -162,10 +163,20 @@ bool writes(const ir::Module &module, const ir::Operation &o, const ir::Extent &
   return hit;
 }
 
+void add_lines(const Compilation &c, const ir::Rung &rung, std::vector<std::string> &lines) {
+  for (std::uint32_t i = 0; i < rung.instruction_count; ++i) {
+    const Instruction &instruction = c.program.list.instructions[rung.first_instruction + i];
+    lines.push_back(fmt::format("  line {}, step {}: {}", c.sources.position(instruction.range).line, instruction.step,
+                                emit::list_text(c.program, instruction)));
+  }
+}
+
 /// List lines of the rungs that write the device, for the report of a failing step. Blocks count only where nothing else writes it.
 std::vector<std::string> writers_of(const Compilation &c, llvm::StringRef device) {
   // TN0, CN0, TC0 and the like are names of scenarios only; the list knows the whole timer or counter.
   std::string name = device.split(':').first.str();
+  if (llvm::StringRef(name).contains(' '))
+    return {};  // a serial port
   if (const llvm::StringRef prefix = llvm::StringRef(name).take_while(llvm::isAlpha);
       prefix.size() > 1 && find_device(*c.program.family, prefix) == kNoDevice)
     name.erase(prefix.size() - 1, 1);
@@ -175,16 +186,11 @@ std::vector<std::string> writers_of(const Compilation &c, llvm::StringRef device
     return lines;
   const ir::Extent wanted = ir::extent(c.module, ir::to_place(operand, OperandType::Word));
   for (const bool blocks : {false, true}) {
-    for (const ir::Rung &rung : c.module.routines.front().rungs) {
-      if (lines.size() >= 12 ||
-          llvm::none_of(rung.operations, [&](const ir::Operation &o) { return writes(c.module, o, wanted, blocks); }))
-        continue;
-      for (std::uint32_t i = 0; i < rung.instruction_count; ++i) {
-        const Instruction &instruction = c.program.list.instructions[rung.first_instruction + i];
-        lines.push_back(fmt::format("  line {}, step {}: {}", c.sources.position(instruction.range).line, instruction.step,
-                                    emit::list_text(c.program, instruction)));
-      }
-    }
+    for (const ir::Routine &routine : c.module.routines)
+      for (const ir::Rung &rung : routine.rungs)
+        if (lines.size() < kWriterLines &&
+            llvm::any_of(rung.operations, [&](const ir::Operation &o) { return writes(c.module, o, wanted, blocks); }))
+          add_lines(c, rung, lines);
     if (!lines.empty())
       break;
   }
@@ -235,6 +241,7 @@ nlohmann::ordered_json steps_file(const std::vector<Candidate> &candidates, cons
     nlohmann::ordered_json entry = {{"program", i}, {"name", s.name}, {"clock_ms", s.clock_ms}, {"steps", s.steps}};
     if (!s.calendar.empty())
       entry["calendar"] = s.calendar;
+    entry.update(s.connected);
     all.push_back(std::move(entry));
   }
   return all;

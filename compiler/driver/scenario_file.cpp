@@ -19,7 +19,10 @@ using json = nlohmann::ordered_json;  // devices are set in the order written
 constexpr llvm::StringLiteral kKeys[] = {"name",         "family",       "model", "source", "basis",    "program", "list",
                                          "program_name", "program_type", "clock_ms", "parameters", "steps", "diagnostics", "notes",
                                          "pair",         "optional",     "simulation"};
-constexpr llvm::StringLiteral kStepKeys[] = {"set", "scans", "expect", "tolerance", "why", "mode", "power_cycle"};
+constexpr llvm::StringLiteral kStepKeys[] = {"set",         "scans",  "expect",     "tolerance", "why", "mode",
+                                             "power_cycle", "pulses", "interrupts", "serial_sent"};
+/// What is connected to the controller. It stands among the parameters and is no parameter of a program.
+constexpr const char *kConnectedKeys[] = {"serial", "potentiometers", "expansion_card"};
 
 constexpr int kMaxDepth = 64;
 
@@ -87,6 +90,12 @@ std::optional<std::string> read_scenario(const json &object, llvm::StringRef pat
   if (object.contains("program_name"))
     parameters["program_name"] = object["program_name"];
   s.calendar = text_of(parameters, "calendar");
+  for (const char *key : kConnectedKeys) {
+    if (const auto found = parameters.find(key); found != parameters.end()) {
+      s.connected[key] = *found;
+      parameters.erase(key);
+    }
+  }
   s.parameters = parameters.dump();
   std::optional<std::string> problem = read_program(object, path, s);
   if (!problem)

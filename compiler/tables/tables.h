@@ -6,6 +6,7 @@
 #pragma once
 
 #include "llvm/ADT/ArrayRef.h"
+#include "llvm/ADT/SmallVector.h"
 #include "llvm/ADT/StringRef.h"
 
 #include <cstdint>
@@ -41,6 +42,12 @@ struct ModelNumbers {
   std::uint32_t first, last;
 };
 
+/// Input terminals that numbers `first` to `last` of a device class have for themselves: bit n is the n-th input.
+struct TerminalUse {
+  std::uint32_t first, last;
+  std::uint32_t inputs;
+};
+
 /// One device class of a family.
 struct DeviceInfo {
   llvm::StringRef prefix;    ///< as written before the number: "X", "SM"
@@ -64,8 +71,10 @@ struct DeviceInfo {
   std::uint32_t first = 0;   ///< lowest number; two classes may share a prefix where their numbers do not (M0 on, M8000 on)
   std::uint8_t name_digits = 1;  ///< names are written with at least so many digits: I001
   DeviceId high_words = kNoDevice;  ///< the class of equal numbers that holds the high word of a pair: V for Z
-  llvm::ArrayRef<ModelNumbers> missing;  ///< numbers inside the range that do not exist
+  llvm::ArrayRef<ModelNumbers> missing;  ///< numbers inside the range that do not exist; those of all models and of the model
   llvm::ArrayRef<ModelNumbers> latched;  ///< kept over power-off and STOP unless the parameters say otherwise
+  llvm::ArrayRef<ModelNumbers> exclusive;  ///< of each such run a program may use one number: I000 or I001
+  llvm::ArrayRef<TerminalUse> terminals;   ///< of the numbers that a program drives or places
 };
 
 enum class Direction : std::uint8_t { In, Out, InOut };
@@ -271,19 +280,32 @@ struct FamilyInfo {
   std::uint8_t max_merge = 0;        ///< STL in succession
   std::int16_t end_label = -1;       ///< the label that means END: P63
   llvm::StringRef base;              ///< of a family that is another one with other ranges: the id of that one
+  std::uint8_t warned_merge = 0;     ///< STL in succession from which on a warning is due; 0: none
 };
 
 /// All families, in alphabetical order of their ids.
 llvm::ArrayRef<FamilyInfo> families();
 /// The family of that id, or null.
 const FamilyInfo *find_family(llvm::StringRef id);
-/// The device class with that prefix, or kNoDevice.
+/// The device class with that prefix, or kNoDevice. Where classes share a prefix, the one with the lowest numbers.
 DeviceId find_device(const FamilyInfo &family, llvm::StringRef prefix);
+/// The device class with that prefix that a number belongs to: of those that begin at or before it, the last one. Whether the number
+/// exists is another question.
+DeviceId find_device(const FamilyInfo &family, llvm::StringRef prefix, std::uint64_t number);
 /// All entries with that spelling or alias (upper case; two words are joined by one blank). Empty: unknown.
 llvm::ArrayRef<const InstructionInfo *> find_instructions(const FamilyInfo &family, llvm::StringRef spelling);
 /// The error of that code, or null.
 const ErrorInfo *find_error(const FamilyInfo &family, std::uint16_t code);
 /// Points of the class for the model, before parameters.
 std::uint32_t points_of(const DeviceInfo &device, llvm::StringRef model);
+/// The runs of numbers that exist on a model with that many points, in ascending order.
+llvm::SmallVector<ModelNumbers, 4> existing_numbers(const DeviceInfo &device, llvm::StringRef model, std::uint32_t points);
+bool number_exists(const DeviceInfo &device, llvm::StringRef model, std::uint32_t points, std::uint64_t number);
+/// What is latched on a model by default: the runs that name the model, or else those for all models, as far as numbers exist.
+llvm::SmallVector<ModelNumbers, 4> latched_numbers(const DeviceInfo &device, llvm::StringRef model);
+/// True where the class can modify the number of an operand: V and Z.
+bool is_index_register(const FamilyInfo &family, DeviceId device);
+/// The family whose manual the messages cite: the base of a family that has one.
+llvm::StringRef cited_family(const FamilyInfo &family);
 
 }  // namespace ladderc

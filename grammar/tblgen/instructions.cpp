@@ -8,6 +8,7 @@
 #include "llvm/ADT/STLExtras.h"
 #include "llvm/ADT/StringExtras.h"
 #include "llvm/ADT/StringMap.h"
+#include "llvm/Support/FormatVariadic.h"
 
 #include <string>
 
@@ -125,8 +126,8 @@ std::string instruction_text(const FamilyRecords &family, const Record &r, Array
 std::string numbers_array(const Record &r, StringRef field, Arrays &arrays) {
   std::vector<std::string> elements;
   for (const Record *entry : r.getValueAsListOfDefs(field))
-    elements.push_back("{" + quoted(entry->getValueAsString("model")) + ", " + std::to_string(entry->getValueAsInt("first")) + ", " +
-                       std::to_string(entry->getValueAsInt("last")) + "}");
+    elements.push_back("{" + quoted(entry->getValueAsString("model")) + ", " + std::to_string(entry->getValueAsInt("first")) +
+                       ", " + std::to_string(entry->getValueAsInt("last")) + "}");
   return arrays.add("ModelNumbers", elements);
 }
 
@@ -136,6 +137,12 @@ std::string device_text(const FamilyRecords &family, const Record &r, Arrays &ar
     points.push_back("{" + quoted(entry->getValueAsString("model")) + ", " + std::to_string(entry->getValueAsInt("points")) + "}");
   std::string model_points = arrays.add("ModelPoints", points);
   std::string missing = numbers_array(r, "missing", arrays), latched = numbers_array(r, "latched", arrays);
+  std::string exclusive = numbers_array(r, "exclusive", arrays);
+  std::vector<std::string> uses;
+  for (const Record *entry : r.getValueAsListOfDefs("terminals"))
+    uses.push_back(llvm::formatv("{{{0}, {1}, {2}}", entry->getValueAsInt("first"), entry->getValueAsInt("last"),
+                                 entry->getValueAsInt("inputs")));
+  std::string terminals = arrays.add("TerminalUse", uses);
   std::string high = "kNoDevice";
   for (const auto &[id, device] : llvm::enumerate(family.devices))
     if (!r.getValueAsString("highWords").empty() && device->getValueAsString("prefix") == r.getValueAsString("highWords"))
@@ -149,7 +156,9 @@ std::string device_text(const FamilyRecords &family, const Record &r, Arrays &ar
       << quoted(r.getValueAsString("image")) << ", " << r.getValueAsInt("pointsRegister") << ", "
       << quoted(r.getValueAsString("behaviour")) << ", " << quoted(r.getValueAsString("section")) << ", "
       << quoted(r.getValueAsString("container")) << ", " << quoted(r.getValueAsString("beginHook")) << ", "
-      << quoted(r.getValueAsString("endHook")) << ", " << r.getValueAsInt("watched") << ", " << r.getValueAsInt("first") << ", " << r.getValueAsInt("nameDigits") << ", " << high << ", " << missing << ", " << latched << "}";
+      << quoted(r.getValueAsString("endHook")) << ", " << r.getValueAsInt("watched") << ", " << r.getValueAsInt("first") << ", "
+      << r.getValueAsInt("nameDigits") << ", " << high << ", " << missing << ", " << latched << ", " << exclusive << ", " << terminals
+      << "}";
   return result;
 }
 
@@ -207,7 +216,8 @@ void emit_family(llvm::RecordKeeper &records, raw_ostream &out) {
       << flag(r.getValueAsBit("firstScanPulses")) << ", " << flag(r.getValueAsBit("clearsOnStop")) << ", "
       << flag(r.getValueAsBit("spacedOperands")) << ", " << integer("warnedBranches") << ", " << integer("maxLoops") << ", "
       << integer("maxCalls") << ", " << integer("maxMerge") << ", " << integer("endLabel") << ", "
-      << quoted(r.getValueAsString("base")) << "};\n\n}  // namespace ladderc::" << r.getValueAsString("ns") << "_tables\n";
+      << quoted(r.getValueAsString("base")) << ", " << integer("warnedMerge")
+      << "};\n\n}  // namespace ladderc::" << r.getValueAsString("ns") << "_tables\n";
 }
 
 }  // namespace ladderc::tblgen

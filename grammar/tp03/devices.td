@@ -62,6 +62,13 @@ def DevCL : Device<"C", "32-bit counter", LongCounterDevice, 10, 56> {
   let missing = [Numbers<250, 250>, Numbers<255, 255>, Numbers<200, 219, SR>, Numbers<239, 240, SR>, Numbers<243, 245, SR>,
                  Numbers<248, 249, SR>, Numbers<254, 254, SR>];
   let latched = [Numbers<200, 255>];
+  let terminals = [Terminals<235, 235, 0b000001>, Terminals<236, 236, 0b000010>, Terminals<237, 237, 0b000100>,
+                   Terminals<238, 238, 0b001000>, Terminals<239, 239, 0b010000>, Terminals<240, 240, 0b100000>,
+                   Terminals<241, 241, 0b000011>, Terminals<242, 242, 0b001100>, Terminals<243, 243, 0b110000>,
+                   Terminals<244, 244, 0b010011>, Terminals<245, 245, 0b101100>, Terminals<246, 246, 0b000011>,
+                   Terminals<247, 247, 0b000111>, Terminals<248, 248, 0b111000>, Terminals<249, 249, 0b100111>,
+                   Terminals<251, 251, 0b000011>, Terminals<252, 252, 0b000111>, Terminals<253, 253, 0b011100>,
+                   Terminals<254, 254, 0b100111>];
   let behaviour = "Contact and 32-bit current value. C200-C234 count edges of their condition up or down, C235-C254 pulses of fixed "
                   "inputs. As a word operand in 32-bit instructions only.";
 }
@@ -96,6 +103,14 @@ def DevP : Device<"P", "branch pointer", LabelDevice, 10, 256> {
 }
 def DevI : Device<"I", "interrupt pointer", LabelDevice, 10, 900> {
   let nameDigits = 3;
+  // I<n>00 and I<n>01; I010 to I060; the timer interrupts from 10 ms on.
+  let missing = [Numbers<2, 9>, Numbers<11, 19>, Numbers<21, 29>, Numbers<31, 39>, Numbers<41, 49>, Numbers<51, 59>, Numbers<61, 99>,
+                 Numbers<102, 199>, Numbers<202, 299>, Numbers<302, 399>, Numbers<402, 499>, Numbers<502, 609>, Numbers<700, 709>,
+                 Numbers<800, 809>, Numbers<400, 401, SR>, Numbers<500, 501, SR>];
+  let exclusive = [Numbers<0, 1>, Numbers<100, 101>, Numbers<200, 201>, Numbers<300, 301>, Numbers<400, 401>, Numbers<500, 501>,
+                   Numbers<600, 699>, Numbers<700, 799>, Numbers<800, 899>];
+  let terminals = [Terminals<0, 1, 0b000001>, Terminals<100, 101, 0b000010>, Terminals<200, 201, 0b000100>,
+                   Terminals<300, 301, 0b001000>, Terminals<400, 401, 0b010000>, Terminals<500, 501, 0b100000>];
   let behaviour = "Head of an interrupt routine. I<n>0<e>: input Xn, e is 1 for the rising and 0 for the falling edge; I6xx, I7xx, "
                   "I8xx: every xx ms (10-99); I010-I060: high-speed counter comparison.";
 }

@@ -3,38 +3,45 @@
 // The object is foreign memory: everything is copied bytewise, so that no type of the program needs to be known here.
 #include "ladder/hosted/device_access.h"
 
-#include "ladder/counter.h"
-#include "ladder/timer.h"
-
 #include <cstddef>
 #include <cstring>
 
 namespace ladder::hosted {
 namespace {
 
-static_assert(sizeof(Timer) == 4 && sizeof(bit) == 1 && sizeof(Timer::value) == 2);
-static_assert(sizeof(Counter) == sizeof(Timer) && offsetof(Counter, value) == offsetof(Timer, value) &&
-              offsetof(Counter, contact) == offsetof(Timer, contact) && offsetof(Counter, coil) == offsetof(Timer, coil));
-
 std::uint64_t side_key(const DeviceRef &ref, std::uint32_t number) {
   return std::uint64_t{ref.device} << 40 | std::uint64_t{static_cast<unsigned char>(ref.part)} << 32 | number;
 }
 
-std::size_t timer_bit(const DeviceRef &ref, std::uint32_t number) {
-  std::size_t member = ref.part == Part::Coil ? offsetof(Timer, coil) : offsetof(Timer, contact);
-  return number * sizeof(Timer) + member;
+/// Bytes from number to number of a table that says nothing about it.
+std::size_t packed_stride(Shape shape) {
+  switch (shape) {
+  case Shape::Bits:
+  case Shape::PackedBits:
+    break;
+  case Shape::Words:
+    return 2;
+  case Shape::Timers:
+  case Shape::Counters:
+    return 4;
+  case Shape::LongCounters:
+    return 8;
+  }
+  return 1;
 }
 
-std::size_t word_offset(const DeviceRef &ref, std::uint32_t number) {
-  return ref.part == Part::Current ? number * sizeof(Timer) + offsetof(Timer, value) : number * sizeof(std::uint16_t);
+/// Where one part of a number lies within what the image has for the number.
+std::size_t part_offset(Shape shape, Part part) {
+  const std::size_t value_size = shape == Shape::LongCounters ? 4 : 2;
+  return part == Part::Contact ? value_size : part == Part::Coil ? value_size + 1 : 0;
 }
 
 struct PackedPlace {
   std::size_t offset;
   std::uint32_t mask;
 };
-PackedPlace packed_bit(std::uint32_t number) {
-  return {number / 32 * sizeof(std::uint32_t), std::uint32_t{1} << number % 32};
+PackedPlace packed_bit(std::uint32_t index) {
+  return {index / 32 * sizeof(std::uint32_t), std::uint32_t{1} << index % 32};
 }
 
 template <typename T> T load(const unsigned char *place) {
@@ -49,65 +56,84 @@ template <typename T> void store(unsigned char *place, T value) {
 
 }  // namespace
 
+unsigned char *DeviceAccess::place(const DeviceRef &ref, std::uint32_t number) const {
+  const DeviceSymbol &of = symbol(ref);
+  if (number - of.first >= of.count)
+    return nullptr;
+  if (of.shape == Shape::PackedBits)
+    return image(of) + packed_bit(number - of.first).offset;
+  const std::size_t stride = of.stride != 0 ? of.stride : packed_stride(of.shape);
+  return image(of) + (number - of.first) * stride + part_offset(of.shape, ref.part);
+}
+
+std::uint32_t DeviceAccess::read_side(const DeviceRef &ref, std::uint32_t number) const {
+  auto found = side_store_.find(side_key(ref, number));
+  return found == side_store_.end() ? 0 : found->second;
+}
+
 bool DeviceAccess::read_bit(const DeviceRef &ref, std::uint32_t number) const {
-  if (number >= symbol(ref).count) {
-    auto found = side_store_.find(side_key(ref, number));
-    return found != side_store_.end() && found->second != 0;
-  }
-  const unsigned char *start = image(symbol(ref));
-  switch (symbol(ref).shape) {
-  case Shape::Bits:
-    return start[number] != 0;
-  case Shape::PackedBits: {
-    auto [offset, mask] = packed_bit(number);
-    return (load<std::uint32_t>(start + offset) & mask) != 0;
-  }
-  case Shape::Timers:
-  case Shape::Counters:
-    return start[timer_bit(ref, number)] != 0;
-  case Shape::Words:
-    break;  // a bit of a word is read through its word
-  }
-  return false;
+  const unsigned char *byte = place(ref, number);
+  if (byte == nullptr)
+    return read_side(ref, number) != 0;
+  if (symbol(ref).shape == Shape::PackedBits)
+    return (load<std::uint32_t>(byte) & packed_bit(number - symbol(ref).first).mask) != 0;
+  return *byte != 0;
 }
 
 void DeviceAccess::write_bit(const DeviceRef &ref, std::uint32_t number, bool bit) {
-  if (number >= symbol(ref).count) {
+  unsigned char *byte = place(ref, number);
+  if (byte == nullptr) {
     side_store_[side_key(ref, number)] = bit;
-    return;
-  }
-  unsigned char *start = image(symbol(ref));
-  switch (symbol(ref).shape) {
-  case Shape::Bits:
-    start[number] = bit;
-    break;
-  case Shape::PackedBits: {
-    auto [offset, mask] = packed_bit(number);
-    auto word = load<std::uint32_t>(start + offset);
-    store<std::uint32_t>(start + offset, bit ? word | mask : word & ~mask);
-    break;
-  }
-  case Shape::Timers:
-  case Shape::Counters:
-    start[timer_bit(ref, number)] = bit;
-    break;
-  case Shape::Words:
-    break;
+  } else if (symbol(ref).shape == Shape::PackedBits) {
+    const std::uint32_t mask = packed_bit(number - symbol(ref).first).mask;
+    auto cell = load<std::uint32_t>(byte);
+    store<std::uint32_t>(byte, bit ? cell | mask : cell & ~mask);
+  } else {
+    *byte = bit;
   }
 }
 
 std::uint16_t DeviceAccess::read_word(const DeviceRef &ref, std::uint32_t number) const {
-  if (number < symbol(ref).count)
-    return load<std::uint16_t>(image(symbol(ref)) + word_offset(ref, number));
-  auto found = side_store_.find(side_key(ref, number));
-  return found == side_store_.end() ? std::uint16_t{0} : found->second;
+  const unsigned char *word = place(ref, number);
+  return word != nullptr ? load<std::uint16_t>(word) : static_cast<std::uint16_t>(read_side(ref, number));
 }
 
-void DeviceAccess::write_word(const DeviceRef &ref, std::uint32_t number, std::uint16_t word) {
-  if (number < symbol(ref).count)
-    store<std::uint16_t>(image(symbol(ref)) + word_offset(ref, number), word);
+void DeviceAccess::write_word(const DeviceRef &ref, std::uint32_t number, std::uint16_t value) {
+  if (unsigned char *word = place(ref, number))
+    store<std::uint16_t>(word, value);
   else
-    side_store_[side_key(ref, number)] = word;
+    side_store_[side_key(ref, number)] = value;
+}
+
+DeviceAccess::High DeviceAccess::high_word(const DeviceRef &ref) const {
+  High high{ref, ref.number + 1};
+  if (const std::uint32_t other = symbol(ref).high; other != kNoClass) {
+    high.ref.device = other;
+    high.number = ref.number;
+  }
+  return high;
+}
+
+std::uint32_t DeviceAccess::read_double(const DeviceRef &ref) const {
+  if (symbol(ref).shape == Shape::LongCounters) {
+    const unsigned char *value = place(ref, ref.number);
+    return value != nullptr ? load<std::uint32_t>(value) : read_side(ref, ref.number);
+  }
+  const High high = high_word(ref);
+  return read_word(ref, ref.number) | std::uint32_t{read_word(high.ref, high.number)} << 16;
+}
+
+void DeviceAccess::write_double(const DeviceRef &ref, std::uint32_t value) {
+  if (symbol(ref).shape == Shape::LongCounters) {
+    if (unsigned char *whole = place(ref, ref.number))
+      store<std::uint32_t>(whole, value);
+    else
+      side_store_[side_key(ref, ref.number)] = value;
+    return;
+  }
+  const High high = high_word(ref);
+  write_word(ref, ref.number, static_cast<std::uint16_t>(value));
+  write_word(high.ref, high.number, static_cast<std::uint16_t>(value >> 16));
 }
 
 Value DeviceAccess::read(const DeviceRef &ref) const {
@@ -120,9 +146,7 @@ Value DeviceAccess::read(const DeviceRef &ref) const {
   } else if (ref.format == Format::Bit) {
     value.bits = read_bit(ref, ref.number);
   } else {
-    value.bits = read_word(ref, ref.number);
-    if (ref.format != Format::Word)
-      value.bits |= std::uint32_t{read_word(ref, ref.number + 1)} << 16;
+    value.bits = ref.format == Format::Word ? read_word(ref, ref.number) : read_double(ref);
   }
   return value;
 }
@@ -136,10 +160,10 @@ void DeviceAccess::write(const DeviceRef &ref, const Value &value) {
     write_word(ref, ref.number, static_cast<std::uint16_t>(value.bits != 0 ? word | mask : word & ~mask));
   } else if (ref.format == Format::Bit) {
     write_bit(ref, ref.number, value.bits != 0);
-  } else {
+  } else if (ref.format == Format::Word) {
     write_word(ref, ref.number, static_cast<std::uint16_t>(value.bits));
-    if (ref.format != Format::Word)
-      write_word(ref, ref.number + 1, static_cast<std::uint16_t>(value.bits >> 16));
+  } else {
+    write_double(ref, value.bits);
   }
 }
 

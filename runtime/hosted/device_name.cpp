@@ -1,5 +1,5 @@
 // Resolving device texts. The longest prefix whose rest is a number in the class's radix wins: SD0 is no S device, BAD is B number
-// AD.
+// AD. Of several classes with one prefix it is the one that has the number.
 #include "ladder/hosted/device_name.h"
 
 #include <fmt/format.h>
@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <compare>
 #include <limits>
 #include <optional>
 
@@ -26,7 +27,11 @@ bool has_bits(Shape shape) {
   return shape == Shape::Bits || shape == Shape::PackedBits;
 }
 bool has_parts(Shape shape) {
-  return shape == Shape::Timers || shape == Shape::Counters;
+  return shape == Shape::Timers || shape == Shape::Counters || shape == Shape::LongCounters;
+}
+
+std::uint64_t available(const DeviceSymbol &symbol) {
+  return std::max(symbol.count, symbol.points);
 }
 
 int digit_value(char c) {
@@ -69,6 +74,7 @@ private:
   std::string_view take_digits(std::string_view rest);
   void take_device(std::string_view rest);
   void check_kind();
+  void check_pair() const;
   void check_range() const;
   [[noreturn]] void no_device(std::string_view why = "") const {
     throw DeviceError(fmt::format("'{}' is no device of {}{}", text_, symbols_.family, why));
@@ -129,8 +135,18 @@ std::string_view Finder::take_digits(std::string_view rest) {
   return rest.substr(2);
 }
 
+/// How well a text fits a class, the weightiest first.
+struct Fit {
+  std::size_t length = 0;   ///< of prefix and part letter
+  bool own = false;         ///< the letters are the prefix, none is a part's
+  bool inside = false;      ///< the number exists; classes with one prefix differ in their numbers
+  std::uint32_t start = 0;  ///< of the classes that it lies beyond, the next
+
+  friend auto operator<=>(const Fit &, const Fit &) = default;
+};
+
 void Finder::take_device(std::string_view rest) {
-  std::size_t best = 0;
+  Fit best;
   std::string_view octal_prefix;
   for (std::uint32_t index = 0; index < symbols_.device_count; ++index) {
     const DeviceSymbol &candidate = symbols_.devices[index];
@@ -139,17 +155,20 @@ void Finder::take_device(std::string_view rest) {
       continue;
     auto try_part = [&](const PartName &part) {
       std::string_view behind = rest.substr(prefix.size());
-      std::size_t length = prefix.size() + part.letter.size();
       if (!behind.starts_with(part.letter))
         return;
       behind.remove_prefix(part.letter.size());
       auto number = parse_number(behind, candidate.radix);
       if (!number && candidate.radix == 8 && parse_number(behind, 10))
         octal_prefix = prefix;
-      // Of equal length, a class of its own comes before a part of a timer.
-      if (!number || length < best || (length == best && !part.letter.empty()))
+      if (!number)
         return;
-      best = length;
+      const bool behind_start = *number >= candidate.first;
+      const Fit fit{prefix.size() + part.letter.size(), part.letter.empty(),
+                    behind_start && *number - candidate.first < available(candidate), behind_start ? candidate.first : 0};
+      if (fit <= best)
+        return;
+      best = fit;
       ref_.device = index;
       ref_.number = *number;
       ref_.part = part.part;
@@ -160,13 +179,15 @@ void Finder::take_device(std::string_view rest) {
     else
       std::for_each(kPlainParts.begin(), kPlainParts.end(), try_part);
   }
-  if (best == 0)
+  if (best.length == 0)
     no_device(octal_prefix.empty() ? "" : fmt::format(": {} counts in octal", octal_prefix));
 }
 
 /// Sets the format and refuses what the class cannot be read as.
 void Finder::check_kind() {
-  bool word = symbol().shape == Shape::Words || ref_.part == Part::Current;
+  const bool long_counter = symbol().shape == Shape::LongCounters;
+  if (long_counter && asked_ && part_letter_.empty())
+    ref_.part = Part::Current;  // only its value has 32 bits
   if (ref_.word_bit != kNoBit) {
     if (symbol().shape != Shape::Words || ref_.digits != 0)
       refuse(fmt::format("{} is no word with bits", symbol().prefix));
@@ -179,8 +200,12 @@ void Finder::check_kind() {
     ref_.format = asked_.value_or(ref_.digits > 4 ? Format::Signed : Format::Word);
     if (asked_ == Format::Float && ref_.digits != 8)
       refuse("a float takes K8");
-  } else if (word) {
-    ref_.format = asked_.value_or(Format::Word);
+  } else if (symbol().shape == Shape::Words || ref_.part == Part::Current) {
+    if (long_counter && asked_ == Format::Float)
+      refuse("a counter is not read as float");
+    ref_.format = asked_.value_or(long_counter ? Format::Signed : Format::Word);
+    if (asked_)
+      check_pair();
   } else {
     if (asked_)
       refuse("a bit is not read as 32 bits");
@@ -188,16 +213,25 @@ void Finder::check_kind() {
   }
 }
 
+/// Where the high words have a class of their own, a pair has the name of its low word.
+void Finder::check_pair() const {
+  for (std::uint32_t index = 0; index < symbols_.device_count; ++index)
+    if (symbols_.devices[index].high == ref_.device)
+      refuse(fmt::format("{} has high words; a pair is named by {}", symbol().prefix, symbols_.devices[index].prefix));
+}
+
 void Finder::check_range() const {
-  std::uint64_t numbers = ref_.digits != 0 ? ref_.digits * 4u : asked_ ? 2 : 1;
-  std::uint64_t available = std::max(symbol().count, symbol().points);
-  if (ref_.number + numbers <= available)
+  const bool neighbours = asked_ && symbol().shape != Shape::LongCounters && symbol().high == kNoClass;
+  const std::uint64_t numbers = ref_.digits != 0 ? ref_.digits * 4u : neighbours ? 2 : 1;
+  const std::uint64_t first = symbol().first, end = first + available(symbol());
+  if (ref_.number >= first && ref_.number + numbers <= end)
     return;
-  std::string name = fmt::format("{}{}", symbol().prefix, part_letter_);
-  if (available == 0)
+  const std::string name = fmt::format("{}{}", symbol().prefix, part_letter_);
+  if (first == end)
     refuse(fmt::format("this controller has no {}", name));
-  std::string last = name + number_text(static_cast<std::uint32_t>(available - 1), symbol().radix);
-  throw DeviceError(fmt::format("'{}' lies beyond {}", text_, last));
+  const bool below = ref_.number < first;
+  const std::string last = name + number_text(static_cast<std::uint32_t>(below ? first : end - 1), symbol().radix);
+  throw DeviceError(fmt::format("'{}' lies {} {}", text_, below ? "before" : "beyond", last));
 }
 
 }  // namespace

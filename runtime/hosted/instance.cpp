@@ -22,6 +22,31 @@ void Instance::power_on() {
   symbols_->power_on(object());
 }
 
+bool Instance::connect(Io *io) {
+  if (symbols_->connect == nullptr)
+    return false;
+  symbols_->connect(object(), io);
+  return true;
+}
+
+void Instance::pulse(const DeviceRef &ref, std::uint64_t count) {
+  if (!symbols_->devices[ref.device].input || ref.format != Format::Bit)
+    throw DeviceError("only an input terminal gets pulses");
+  if (symbols_->input == nullptr)
+    throw DeviceError("this controller looks at its inputs in scans only");
+  const bool before = get(ref).bits != 0;
+  for (; count > 0; --count) {
+    symbols_->input(object(), ref.number, !before);
+    symbols_->input(object(), ref.number, before);
+  }
+}
+
+void Instance::interrupt(unsigned pointer) {
+  if (symbols_->interrupt == nullptr)
+    throw DeviceError("this controller has no interrupts");
+  symbols_->interrupt(object(), pointer);
+}
+
 void Instance::scan() {
   for (const auto &[ref, value] : held_)
     devices_.write(ref, value);

@@ -72,6 +72,19 @@ void set_stimulus(Options &options, std::string_view text) {
     throw UsageError(fmt::format("--stimulus takes random:SEED, toggle or none, not '{}'", text));
 }
 
+void add_serial(Options &options, std::string_view text) {
+  constexpr std::uint64_t kPorts = 16;
+  const std::size_t equals = text.find('=');
+  if (equals == std::string_view::npos || equals + 1 == text.size())
+    throw UsageError(fmt::format("--serial takes PORT=DEVICE such as 0=/dev/ttyUSB0, not '{}'", text));
+  const std::uint64_t port = parse_count("the port of --serial", text.substr(0, equals), 0);
+  if (port >= kPorts)
+    throw UsageError(fmt::format("--serial has the ports 0 to {}, not {}", kPorts - 1, port));
+  if (std::any_of(options.serial.begin(), options.serial.end(), [&](const SerialDevice &d) { return d.port == port; }))
+    throw UsageError(fmt::format("--serial has two devices for port {}", port));
+  options.serial.push_back({static_cast<unsigned>(port), std::string(text.substr(equals + 1))});
+}
+
 constexpr OptionRow kOptions[] = {
     {"scans", "N", "end after N scans; without it the program runs until it is interrupted",
      [](Options &o, std::string_view text) { o.scans = parse_count("--scans", text, 1); }},
@@ -90,6 +103,10 @@ constexpr OptionRow kOptions[] = {
     {"stimulus", "KIND",
      "give every input a new value before each scan: random:SEED, toggle or\nnone (default); --set inputs stay as set",
      set_stimulus},
+    {"serial", "PORT=DEVICE",
+     "connect a serial port of the program (0 is the built-in one) to a device\nsuch as /dev/ttyUSB0; can be repeated", add_serial},
+    {"clock", "TIME", "start the calendar with the time of this computer (system) or with\n1998-11-30T11:50:20",
+     [](Options &o, std::string_view text) { o.clock = text; }},
     {"bench", "", "measure the time of a scan and print it as JSON, in nanoseconds; with\nno --scans for about half a second",
      [](Options &o, std::string_view) { o.bench = true; }},
     {"json", "", "print watched changes and statistics as JSON, one object a line",
@@ -109,8 +126,12 @@ const OptionRow &find_option(std::string_view name) {
 void check_together(const Options &options) {
   if (options.pace == Pace::FreeRunning && options.scan_time)
     throw UsageError("--free-running has no scan time");
+  if (options.clock == "system" && (options.pace == Pace::Virtual || options.bench))
+    throw UsageError("in virtual time every run is the same; leave out --clock system");
   if (!options.bench)
     return;
+  if (!options.serial.empty())
+    throw UsageError("--bench talks to nobody; leave out --serial");
   if (options.pace == Pace::FreeRunning)
     throw UsageError("--bench has a clock of its own; leave out --free-running");
   if (!options.watched.empty())

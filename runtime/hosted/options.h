@@ -33,6 +33,12 @@ struct Setting {
   bool timed;          ///< "@" was written
 };
 
+/// `--serial 0=/dev/ttyUSB0`
+struct SerialDevice {
+  unsigned port;
+  std::string path;
+};
+
 struct Options {
   std::optional<std::uint64_t> scans;
   std::optional<Pace> pace;
@@ -40,6 +46,8 @@ struct Options {
   std::vector<Setting> settings;
   std::vector<std::string> watched;
   StimulusKind stimulus;
+  std::vector<SerialDevice> serial;
+  std::string clock;  ///< "system", or a date and time, not yet read; empty: as the parameters say
   bool bench = false, json = false, quiet = false, help = false;
 };
 

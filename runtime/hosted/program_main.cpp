@@ -6,11 +6,13 @@
 #include "hosted/options.h"
 #include "hosted/report.h"
 #include "hosted/scan_times.h"
+#include "hosted/scenario.h"
 #include "hosted/stimulus.h"
 #include "hosted/stop_signals.h"
 #include "hosted/watch.h"
 
 #include "ladder/hosted/instance.h"
+#include "ladder/hosted/serial_io.h"
 
 #include <fmt/format.h>
 
@@ -58,16 +60,20 @@ class Run {
 public:
   Run(const ProgramSymbols &symbols, const Options &options, std::FILE *out, std::FILE *err)
       : options_(options), pace_(options.bench ? Pace::Virtual : options.pace.value_or(Pace::Timed)),
-        scan_time_(options.scan_time.value_or(kDefaultScanTime)),
+        scan_time_(options.scan_time.value_or(kDefaultScanTime)), serial_(err),
         instance_(symbols, pace_ == Pace::Virtual ? Clock::virtual_steps(scan_time_) : Clock::real()), stimulus_(options.stimulus),
         settings_(resolve(symbols, options.settings)), out_(out), err_(err) {}
 
   int run() {
+    connect();
     instance_.power_on();
+    if (!options_.clock.empty())
+      instance_.set_calendar(options_.clock == "system" ? system_calendar() : parse_calendar(options_.clock));
     return options_.bench ? bench() : scan_until_done();
   }
 
 private:
+  void connect();
   int bench();
   int scan_until_done();
   void scan_once(Watch &watch);
@@ -77,6 +83,7 @@ private:
   const Options &options_;
   Pace pace_;
   Micros scan_time_;
+  SerialIo serial_;
   Instance instance_;
   Stimulus stimulus_;
   std::vector<ResolvedSetting> settings_;
@@ -84,6 +91,15 @@ private:
   ScanTimes times_;
   std::FILE *out_, *err_;
 };
+
+void Run::connect() {
+  if (options_.serial.empty())
+    return;
+  for (const SerialDevice &device : options_.serial)
+    serial_.attach(device.port, device.path);
+  if (!instance_.connect(&serial_))
+    throw SerialError("this controller has no serial ports");
+}
 
 void Run::apply_settings() {
   for (; settings_done_ < settings_.size() && settings_[settings_done_].scan <= instance_.scans() + 1; ++settings_done_)
@@ -161,6 +177,8 @@ int program_main(int argc, char **argv, const ProgramSymbols &symbols, std::FILE
   } catch (const UsageError &error) {
     fmt::print(err, "{}: {}; --help lists the options\n", program, error.what());
   } catch (const DeviceError &error) {
+    fmt::print(err, "{}: {}\n", program, error.what());
+  } catch (const SerialError &error) {
     fmt::print(err, "{}: {}\n", program, error.what());
   }
   return kUsage;

@@ -1,15 +1,17 @@
 // A failed expectation does not end a scenario, a mistake in it does: an unknown device, an unknown key, a value that does not fit.
 #include "hosted/scenario.h"
 
+#include "hosted/scenario_io.h"
+#include "hosted/scenario_json.h"
+#include "hosted/simulated_io.h"
+
 #include "ladder/hosted/instance.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <charconv>
 #include <chrono>
 #include <cmath>
-#include <initializer_list>
 #include <string>
 
 namespace ladder::hosted {
@@ -17,75 +19,13 @@ namespace {
 
 constexpr double kTolerance = 1e-6;
 constexpr double kDefaultClockMs = 10;
-
-/// A scenario file that says nothing sensible; ends as "error" of the scenario.
-class ScenarioError : public std::runtime_error {
-public:
-  using std::runtime_error::runtime_error;
-};
-
-void check_keys(const Json &object, std::initializer_list<std::string_view> known) {
-  if (!object.is_object())
-    throw ScenarioError(fmt::format("{} is no object", object.dump()));
-  for (const auto &[key, value] : object.items())
-    if (std::find(known.begin(), known.end(), key) == known.end())
-      throw ScenarioError(fmt::format("unknown key '{}'", key));
-}
-
-double number_at(const Json &object, const char *key, double otherwise, double largest) {
-  auto found = object.find(key);
-  if (found == object.end())
-    return otherwise;
-  if (!found->is_number() || found->get<double>() < 0 || found->get<double>() > largest)
-    throw ScenarioError(fmt::format("'{}' is a number from 0 to {}, not {}", key, largest, found->dump()));
-  return found->get<double>();
-}
-
-std::uint64_t count_at(const Json &object, const char *key, std::uint64_t otherwise) {
-  auto found = object.find(key);
-  if (found == object.end())
-    return otherwise;
-  if (!found->is_number_unsigned())
-    throw ScenarioError(fmt::format("'{}' is a whole number from 0 on, not {}", key, found->dump()));
-  return found->get<std::uint64_t>();
-}
-
-Value value_of_json(const DeviceRef &ref, const Json &json) {
-  if (json.is_string())
-    return value_of_pattern(ref, json.get_ref<const std::string &>());
-  if (json.is_boolean())
-    return value_of_integer(ref, json.get<bool>() ? 1 : 0);
-  if (json.is_number_unsigned() && json.get<std::uint64_t>() > INT64_MAX)
-    throw DeviceError(fmt::format("{} does not fit", json.dump()));
-  if (json.is_number_integer())
-    return value_of_integer(ref, json.get<std::int64_t>());
-  if (json.is_number_float())
-    return value_of_real(ref, json.get<double>());
-  throw DeviceError(fmt::format("{} is no value: write a number or a bit pattern such as \"0x12AB\"", json.dump()));
-}
-
-/// In the form of the expectation, so that both can be compared by eye.
-Json json_of(const DeviceRef &ref, const Value &value, const Json &expected) {
-  if (expected.is_string())
-    return pattern_text(ref, value);
-  if (value.format != Format::Float)
-    return integer_of(value);
-  double real = real_of(value);
-  if (!std::isfinite(real))
-    return fmt::format("{}", real);  // JSON has no number for it
-  return real;
-}
-
-bool matches(const Value &got, const Value &wanted, const Json &expected, double tolerance) {
-  if (got.format != Format::Float || expected.is_string())
-    return got == wanted;
-  double limit = tolerance * (real_of(wanted) == 0 ? 1 : std::abs(real_of(wanted)));
-  return std::abs(real_of(got) - real_of(wanted)) <= limit;
-}
+constexpr std::uint64_t kMostPulses = 10'000'000;
 
 class ScenarioRun {
 public:
-  ScenarioRun(const ProgramSymbols &symbols, Micros clock) : instance_(symbols, Clock::virtual_steps(clock)) {}
+  ScenarioRun(const ProgramSymbols &symbols, Micros clock) : instance_(symbols, Clock::virtual_steps(clock)) {
+    instance_.connect(&io_);  // a controller with nothing to connect needs none of it
+  }
 
   void start(const Json &scenario);
   void step(const Json &step, std::size_t index);
@@ -94,15 +34,20 @@ public:
 private:
   void switch_mode(const Json &step);
   void set(const Json &devices);
+  /// What happens between the last scan and the next.
+  void act(const Json &step);
   void expect(const Json &step, std::size_t index);
+  void expect_sent(const Json &step, std::size_t index);
   /// Calls `use(text, ref, json)` for each device of the object, and names the device in what it throws.
   template <typename Use> void for_each_device(const Json &devices, Use use);
 
+  SimulatedIo io_;
   Instance instance_;
   Json failures_ = Json::array();
 };
 
 void ScenarioRun::start(const Json &scenario) {
+  read_io(scenario, io_);
   instance_.power_on();
   if (auto calendar = scenario.find("calendar"); calendar != scenario.end()) {
     if (!calendar->is_string())
@@ -143,6 +88,19 @@ void ScenarioRun::set(const Json &devices) {
       devices, [&](const std::string &, const DeviceRef &ref, const Json &json) { instance_.set(ref, value_of_json(ref, json)); });
 }
 
+void ScenarioRun::act(const Json &step) {
+  io_.set_time(instance_.now());
+  if (auto pulses = step.find("pulses"); pulses != step.end())
+    for_each_device(*pulses, [&](const std::string &, const DeviceRef &ref, const Json &json) {
+      if (!json.is_number_unsigned() || json.get<std::uint64_t>() > kMostPulses)
+        throw DeviceError(fmt::format("{} is no number of pulses from 0 to {}", json.dump(), kMostPulses));
+      instance_.pulse(ref, json.get<std::uint64_t>());
+    });
+  if (auto interrupts = step.find("interrupts"); interrupts != step.end())
+    for (unsigned pointer : pointers_of(*interrupts))
+      instance_.interrupt(pointer);
+}
+
 void ScenarioRun::expect(const Json &step, std::size_t index) {
   auto devices = step.find("expect");
   if (devices == step.end())
@@ -156,19 +114,38 @@ void ScenarioRun::expect(const Json &step, std::size_t index) {
   });
 }
 
+void ScenarioRun::expect_sent(const Json &step, std::size_t index) {
+  auto expected = step.find("serial_sent");
+  if (expected == step.end())
+    return;
+  for (const SerialText &wanted : serial_texts(*expected, "hex", {"port", "hex"})) {
+    SimulatedIo::Bytes got = io_.take_sent(wanted.port);
+    if (got != wanted.bytes)
+      failures_.push_back({{"step", index},
+                           {"scan", instance_.scans()},
+                           {"device", fmt::format("serial port {}", wanted.port)},
+                           {"expected", hex_text(wanted.bytes)},
+                           {"got", hex_text(got)}});
+  }
+}
+
 void ScenarioRun::step(const Json &step, std::size_t index) {
-  check_keys(step, {"set", "scans", "expect", "tolerance", "mode", "power_cycle", "why"});
+  check_keys(step, {"power_cycle", "mode", "set", "pulses", "interrupts", "scans", "expect", "serial_sent", "tolerance", "why"});
   switch_mode(step);
   if (auto devices = step.find("set"); devices != step.end())
     set(*devices);
-  for (std::uint64_t scans = count_at(step, "scans", 1); scans > 0; --scans)
+  act(step);
+  for (std::uint64_t scans = count_at(step, "scans", 1); scans > 0; --scans) {
+    io_.set_time(instance_.now());
     instance_.scan();
+  }
   expect(step, index);
+  expect_sent(step, index);
 }
 
 /// Runs the steps; what is wrong goes into `result`.
 void run_steps(const Json &scenario, std::span<const ProgramSymbols *const> programs, Json &result) {
-  check_keys(scenario, {"program", "name", "clock_ms", "calendar", "steps"});
+  check_keys(scenario, {"program", "name", "clock_ms", "calendar", "serial", "potentiometers", "expansion_card", "steps"});
   std::uint64_t program = count_at(scenario, "program", 0);
   if (program >= programs.size())
     throw ScenarioError(fmt::format("program {} of {} does not exist", program, programs.size()));

@@ -47,6 +47,18 @@ TEST(ScenarioFile, ParametersCarryTheProgramNameAndTheCalendar) {
   EXPECT_EQ(s.clock_ms, 2.5);
 }
 
+TEST(ScenarioFile, WhatIsConnectedIsNoParameterOfTheProgram) {
+  const Scenario s = read(R"({"name": "a", "program": ["END"], "steps": [{"pulses": {"X0": 2}, "interrupts": ["I001"],
+                                                                          "serial_sent": [{"port": 0, "hex": "41"}]}],
+                              "parameters": {"serial": [{"port": 0, "rx_hex": "41", "at_ms": 5}], "expansion_card": {"1": 7},
+                                             "potentiometers": {"0": 512}, "ST_points": 4}})")
+                         .at(0);
+  EXPECT_EQ(s.parameters, R"({"ST_points":4})");
+  EXPECT_EQ(s.connected.dump(),
+            R"({"serial":[{"port":0,"rx_hex":"41","at_ms":5}],"potentiometers":{"0":512},"expansion_card":{"1":7}})");
+  EXPECT_EQ(read(R"({"name": "a", "program": ["END"], "steps": [{}]})").at(0).connected.dump(), "{}");
+}
+
 TEST(ScenarioFile, ExpectedMessages) {
   const Scenario s = read(R"({"name": "a", "program": ["END"], "diagnostics": [{"line": 3, "about": "x", "code": 4004},
                               {"severity": "warning", "code": "2500"}]})")

@@ -1,4 +1,5 @@
 // Which texts name which devices, and what is said about those that name none.
+#include "fake_controller.h"
 #include "fake_program.h"
 
 #include "ladder/hosted/device_name.h"
@@ -91,7 +92,7 @@ TEST(DeviceName, WhatIsNoDeviceIsSaidWithTheFamily) {
   EXPECT_EQ(message("Q7"), "'Q7' is no device of melsec-qs");
   EXPECT_EQ(message("X"), "'X' is no device of melsec-qs");
   EXPECT_EQ(message(""), "'' is no device of melsec-qs");
-  EXPECT_EQ(message("X18", kOctal), "'X18' is no device of tp03: X counts in octal");
+  EXPECT_EQ(message("X18", kOctal), "'X18' is no device of octal: X counts in octal");
   EXPECT_EQ(message("X0:d"), "'X0:d': a bit is not read as 32 bits");
   EXPECT_EQ(message("D0:x"), "'D0:x': the formats are :d (signed), :u (unsigned) and :f (float), each of 32 bits");
 }
@@ -106,6 +107,56 @@ TEST(DeviceName, TheControllersRangeIsTheLimit) {
   EXPECT_EQ(message("Y20", kOctal), "'Y20' lies beyond Y17");
   EXPECT_EQ(message("D99999999999999999999"), "'D99999999999999999999' lies beyond D6143");
   EXPECT_EQ(message("L0"), "'L0': this controller has no L");
+}
+
+TEST(DeviceName, ClassesWithOnePrefixDifferInTheirNumbers) {
+  auto start = [](std::string_view text) {
+    const DeviceRef ref = find_device(kController, text);
+    return std::pair(kController.devices[ref.device].first, ref.number);
+  };
+  EXPECT_EQ(start("M9"), std::pair(0u, 9u));
+  EXPECT_EQ(start("M8000"), std::pair(8000u, 8000u));
+  EXPECT_EQ(start("K4M8008"), std::pair(8000u, 8008u));
+  EXPECT_EQ(start("D7999"), std::pair(0u, 7999u));
+  EXPECT_EQ(start("D8511"), std::pair(8000u, 8511u));
+  EXPECT_EQ(start("C199"), std::pair(0u, 199u));
+  EXPECT_EQ(start("CN200"), std::pair(200u, 200u));
+  EXPECT_EQ(message("M7680", kController), "'M7680' lies beyond M7679");
+  EXPECT_EQ(message("M8512", kController), "'M8512' lies beyond M8511");
+  EXPECT_EQ(message("K4M8500", kController), "'K4M8500' lies beyond M8511");
+  EXPECT_EQ(message("CC256", kController), "'CC256' lies beyond CC255");
+  EXPECT_EQ(message("S99", kController), "'S99' lies before S100");
+}
+
+TEST(DeviceName, APairLiesInOneClass) {
+  EXPECT_EQ(message("D7998:d", kController), "found");
+  EXPECT_EQ(message("D7999:d", kController), "'D7999:d' lies beyond D7999");
+  EXPECT_EQ(message("D8511:d", kController), "'D8511:d' lies beyond D8511");
+}
+
+TEST(DeviceName, APairMayHaveItsHighWordsInAnotherClass) {
+  EXPECT_EQ(find_device(kController, "Z0").format, Format::Word);
+  EXPECT_EQ(find_device(kController, "V0").format, Format::Word);
+  EXPECT_EQ(find_device(kController, "Z15:d").format, Format::Signed) << "V15 is the other word";
+  EXPECT_EQ(message("Z16:d", kController), "'Z16:d' lies beyond Z15");
+  EXPECT_EQ(message("V0:d", kController), "'V0:d': V has high words; a pair is named by Z");
+}
+
+TEST(DeviceName, LongCountersHave32Bits) {
+  const DeviceRef value = find_device(kController, "CN200");
+  EXPECT_EQ(value.part, Part::Current);
+  EXPECT_EQ(value.format, Format::Signed);
+  EXPECT_EQ(width_of(value), 32u);
+  EXPECT_EQ(find_device(kController, "C200:d"), value);
+  EXPECT_EQ(find_device(kController, "CN255:u").format, Format::Unsigned) << "no second counter takes part";
+  EXPECT_EQ(find_device(kController, "C200").part, Part::Contact);
+  EXPECT_EQ(find_device(kController, "C200").format, Format::Bit);
+  EXPECT_EQ(find_device(kController, "CC200").part, Part::Coil);
+  EXPECT_EQ(message("C200:f", kController), "'C200:f': a counter is not read as float");
+  EXPECT_EQ(message("CC200:d", kController), "'CC200:d': a bit is not read as 32 bits");
+  EXPECT_EQ(message("C0:d", kController), "'C0:d': a bit is not read as 32 bits");
+  EXPECT_EQ(find_device(kController, "CN0").format, Format::Word);
+  EXPECT_EQ(find_device(kController, "CN0:d").format, Format::Signed) << "CN0 and CN1";
 }
 
 }  // namespace

@@ -131,6 +131,6 @@ constexpr ProgramSymbols table(const char *family, const DeviceSymbol *devices, 
 }  // namespace
 
 const ProgramSymbols kFake = table("melsec-qs", kDevices, std::size(kDevices));
-const ProgramSymbols kOctal = table("tp03", kOctalDevices, std::size(kOctalDevices));
+const ProgramSymbols kOctal = table("octal", kOctalDevices, std::size(kOctalDevices));
 
 }  // namespace ladder::hosted::test

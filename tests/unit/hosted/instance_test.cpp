@@ -1,5 +1,8 @@
 // Instances: independent of each other, each with its clock and its held inputs.
+#include "fake_controller.h"
 #include "fake_program.h"
+
+#include "hosted/simulated_io.h"
 
 #include "ladder/hosted/instance.h"
 
@@ -109,6 +112,51 @@ TEST(Instance, KnowsACpuThatStoppedByItself) {
   plant.scan();
   EXPECT_TRUE(plant.stopped_by_itself());
   EXPECT_EQ(plant.status().error, 4100);
+}
+
+TEST(Instance, AConnectionStaysOverPowerOn) {
+  Instance plant(kController, Clock::virtual_steps(1'000));
+  SimulatedIo io;
+  io.set_potentiometer(1, 512);
+  EXPECT_TRUE(plant.connect(&io));
+  plant.power_on();
+  plant.scan();
+  EXPECT_EQ(get(plant, "D2"), 512);
+  EXPECT_TRUE(plant.connect(nullptr));
+  plant.power_on();
+  plant.scan();
+  EXPECT_EQ(get(plant, "D2"), 0);
+}
+
+TEST(Instance, PulsesComeBackToWhereTheyStarted) {
+  Instance plant(kController, Clock::virtual_steps(1'000));
+  plant.power_on();
+  plant.pulse(find_device(kController, "X5"), 3);
+  EXPECT_EQ(get(plant, "CN235"), 3);
+  EXPECT_EQ(get(plant, "D5"), 6);
+  EXPECT_EQ(get(plant, "X5"), 0) << "the image is the scan's";
+  put(plant, "X5", 1);
+  plant.pulse(find_device(kController, "X5"), 2);
+  EXPECT_EQ(get(plant, "CN235"), 5) << "down and up";
+  plant.pulse(find_device(kController, "X12"), 1);
+  EXPECT_EQ(get(plant, "D4"), 10) << "octal";
+}
+
+TEST(Instance, InterruptsGoToTheProgram) {
+  Instance plant(kController, Clock::virtual_steps(1'000));
+  plant.power_on();
+  plant.interrupt(610);
+  EXPECT_EQ(get(plant, "D6"), 610);
+}
+
+TEST(Instance, WhatAControllerDoesNotHaveIsSaid) {
+  Instance plant(kFake, Clock::virtual_steps(1'000)), controller(kController, Clock::virtual_steps(1'000));
+  SimulatedIo io;
+  EXPECT_FALSE(plant.connect(&io));
+  EXPECT_THROW(plant.pulse(find_device(kFake, "X0"), 1), DeviceError);
+  EXPECT_THROW(plant.interrupt(1), DeviceError);
+  EXPECT_THROW(controller.pulse(find_device(kController, "Y0"), 1), DeviceError);
+  EXPECT_THROW(controller.pulse(find_device(kController, "K1X0"), 1), DeviceError);
 }
 
 }  // namespace

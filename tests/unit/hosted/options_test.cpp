@@ -96,6 +96,26 @@ TEST(Options, WrongOnesAreExplained) {
   EXPECT_EQ(message({"--stimulus", "random:"}), "--stimulus=random:SEED takes a whole number from 0 on, not ''");
 }
 
+TEST(Options, SerialPortsHaveADeviceEach) {
+  Options options = parse({"--serial", "0=/dev/ttyUSB0", "--serial=2=/dev/a=b"});
+  ASSERT_EQ(options.serial.size(), 2u);
+  EXPECT_EQ(options.serial[0].port, 0u);
+  EXPECT_EQ(options.serial[0].path, "/dev/ttyUSB0");
+  EXPECT_EQ(options.serial[1].port, 2u);
+  EXPECT_EQ(options.serial[1].path, "/dev/a=b");
+  EXPECT_EQ(message({"--serial", "/dev/ttyUSB0"}), "--serial takes PORT=DEVICE such as 0=/dev/ttyUSB0, not '/dev/ttyUSB0'");
+  EXPECT_EQ(message({"--serial", "0="}), "--serial takes PORT=DEVICE such as 0=/dev/ttyUSB0, not '0='");
+  EXPECT_EQ(message({"--serial", "A=x"}), "the port of --serial takes a whole number from 0 on, not 'A'");
+  EXPECT_EQ(message({"--serial", "16=x"}), "--serial has the ports 0 to 15, not 16");
+  EXPECT_EQ(message({"--serial", "1=x", "--serial", "1=y"}), "--serial has two devices for port 1");
+}
+
+TEST(Options, TheCalendarStartsWithATime) {
+  EXPECT_EQ(parse({}).clock, "");
+  EXPECT_EQ(parse({"--clock", "system"}).clock, "system");
+  EXPECT_EQ(parse({"--virtual", "--clock", "1998-11-30T11:50:20"}).clock, "1998-11-30T11:50:20");
+}
+
 TEST(Options, WhatWouldBeIgnoredTogetherIsRefused) {
   EXPECT_EQ(message({"--virtual", "--free-running"}), "--free-running and --virtual exclude each other");
   EXPECT_EQ(message({"--free-running", "--scan-time", "1ms"}), "--free-running has no scan time");
@@ -103,6 +123,9 @@ TEST(Options, WhatWouldBeIgnoredTogetherIsRefused) {
   EXPECT_EQ(message({"--bench", "--watch", "Y0"}), "--bench watches no devices");
   EXPECT_EQ(message({"--bench", "--quiet"}), "--bench prints nothing but statistics; leave out --quiet");
   EXPECT_EQ(message({"--bench", "--set", "X0=1@2"}), "--bench counts no scans; leave out '@' in --set");
+  EXPECT_EQ(message({"--bench", "--serial", "0=x"}), "--bench talks to nobody; leave out --serial");
+  EXPECT_EQ(message({"--virtual", "--clock", "system"}), "in virtual time every run is the same; leave out --clock system");
+  EXPECT_EQ(message({"--bench", "--clock=system"}), "in virtual time every run is the same; leave out --clock system");
   EXPECT_EQ(message({"--bench", "--virtual", "--json", "--set", "X0=1"}), "accepted");
 }
 
@@ -122,6 +145,10 @@ Runs the compiled program on this computer.
   --watch DEV,...               print a device whenever a scan changed it, and all of them at the end
   --stimulus KIND               give every input a new value before each scan: random:SEED, toggle or
                                 none (default); --set inputs stay as set
+  --serial PORT=DEVICE          connect a serial port of the program (0 is the built-in one) to a device
+                                such as /dev/ttyUSB0; can be repeated
+  --clock TIME                  start the calendar with the time of this computer (system) or with
+                                1998-11-30T11:50:20
   --bench                       measure the time of a scan and print it as JSON, in nanoseconds; with
                                 no --scans for about half a second
   --json                        print watched changes and statistics as JSON, one object a line

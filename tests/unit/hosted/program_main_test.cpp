@@ -1,5 +1,8 @@
 // The executable's behaviour: watch lines, statistics, messages and exit codes.
 #include "captured_run.h"
+#include "fake_controller.h"
+
+#include "ladder/hosted/clock.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -155,6 +158,24 @@ TEST(ProgramMain, RandomRunsRepeat) {
   EXPECT_EQ(first.out, run(words).out);
   words[7] = "random:12";
   EXPECT_NE(first.out, run(words).out);
+}
+
+TEST(ProgramMain, TheCalendarStartsAsAsked) {
+  CapturedRun controller =
+      run({"--virtual", "--scans", "1", "--json", "--watch", "D7,D8000", "--clock", "1998-11-30T11:50:20"}, kController);
+  EXPECT_EQ(json::parse(controller.out)["devices"], json::parse(R"({"D7":50,"D8000":1998})"));
+  CapturedRun wrong = run({"--clock", "noon"});
+  EXPECT_EQ(wrong.exit, 2);
+  EXPECT_EQ(wrong.err, "fake: 'noon' is no date and time from 1980 to 2079 such as 1998-11-30T11:50:20\n");
+}
+
+TEST(ProgramMain, TheCalendarOfThisComputer) {
+  const int before = system_calendar().minute;
+  CapturedRun result =
+      run({"--scan-time", "1ms", "--scans", "1", "--json", "--watch", "D7,D8000", "--clock", "system"}, kController);
+  const json devices = json::parse(result.out)["devices"];
+  EXPECT_GE(devices["D8000"], 2024);
+  EXPECT_THAT(devices["D7"].get<int>(), testing::AnyOf(before, int{system_calendar().minute}));
 }
 
 TEST(ProgramMain, WrongOptionsExitWith2AndSayWhy) {

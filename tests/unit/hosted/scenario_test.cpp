@@ -1,4 +1,5 @@
 // Scenarios: passing, failing, and mistakes in them; the files around them.
+#include "fake_controller.h"
 #include "fake_program.h"
 
 #include "hosted/scenario.h"
@@ -18,7 +19,7 @@
 namespace ladder::hosted::test {
 namespace {
 
-const ProgramSymbols *const kPrograms[] = {&kFake, &kOctal};
+const ProgramSymbols *const kPrograms[] = {&kFake, &kOctal, &kController};
 
 Json run(const char *scenario) {
   return run_scenario(Json::parse(scenario), kPrograms);
@@ -118,14 +119,79 @@ TEST(Scenario, MistakesEndItWithAnErrorAndKeepEarlierFailures) {
   EXPECT_EQ(error(R"({"steps": [{"set": {"D0": "12"}}]})"), "step 0: D0: '12' is no bit pattern such as 0x12AB");
   EXPECT_EQ(error(R"({"steps": [{"scans": -1}]})"), "step 0: 'scans' is a whole number from 0 on, not -1");
   EXPECT_EQ(error(R"({"steps": [{"mode": "pause"}]})"), "step 0: 'mode' is \"run\" or \"stop\", not \"pause\"");
-  EXPECT_EQ(error(R"({"steps": [{"interrupts": ["I0"]}]})"), "step 0: unknown key 'interrupts'");
+  EXPECT_EQ(error(R"({"steps": [{"interrupts": ["I0"]}]})"), "step 0: this controller has no interrupts");
   EXPECT_EQ(error(R"({"steps": [7]})"), "step 0: 7 is no object");
   EXPECT_EQ(error(R"({"calendar": "yesterday", "steps": []})"),
             "step 0: 'yesterday' is no date and time from 1980 to 2079 such as 1998-11-30T11:50:20");
   EXPECT_EQ(error(R"({"name": "x"})"), "'steps' is missing or no array");
-  EXPECT_EQ(error(R"({"program": 2, "steps": []})"), "program 2 of 2 does not exist");
+  EXPECT_EQ(error(R"({"steps": [{"interupts": ["I0"]}]})"), "step 0: unknown key 'interupts'");
+  EXPECT_EQ(error(R"({"program": 3, "steps": []})"), "program 3 of 3 does not exist");
   EXPECT_EQ(error(R"({"clock_ms": -1, "steps": []})"), "'clock_ms' is a number from 0 to 3600000, not -1");
   EXPECT_EQ(error("3"), "3 is no object");
+}
+
+TEST(Scenario, TextsArriveOnSerialLinesAtTheirTime) {
+  EXPECT_EQ(
+      run(R"({"program": 2, "clock_ms": 10, "serial": [{"port": 0, "rx_hex": "43 0a", "at_ms": 20}, {"rx_hex": "41", "at_ms": 10},
+                                                             {"port": 1, "rx_hex": "4444"}],
+    "steps": [
+    {"expect": {"D0": 0}, "serial_sent": [{"port": 0, "hex": ""}]},
+    {"expect": {"D0": 1, "D1": 65}},
+    {"expect": {"D0": 3, "D1": 10}, "serial_sent": [{"port": 0, "hex": "42 44 0B"}]},
+    {"expect": {"D0": 3}, "serial_sent": [{"hex": ""}]}]})")["failures"],
+      Json::array());
+}
+
+TEST(Scenario, OtherBytesThanExpectedAreAFailure) {
+  EXPECT_EQ(
+      run(R"({"program": 2, "serial": [{"rx_hex": "FE FF"}], "steps": [{"scans": 2, "serial_sent": [{"port": 0, "hex": "ff"}]}]})")
+          ["failures"],
+      Json::parse(R"([{"step": 0, "scan": 2, "device": "serial port 0", "expected": "FF", "got": "FF 00"}])"));
+}
+
+TEST(Scenario, PotentiometersAndOptionCardsHavePositions) {
+  EXPECT_EQ(run(R"({"program": 2, "potentiometers": {"1": 1023, "0": 7}, "expansion_card": {"0": 300}, "steps": [
+    {"expect": {"D2": 1023, "D3": 300}}, {"power_cycle": true, "expect": {"D2": 1023}}]})")["failures"],
+            Json::array());
+}
+
+TEST(Scenario, ControllersWithoutConnectionsTakeThemInSilence) {
+  EXPECT_EQ(
+      run(R"({"serial": [{"rx_hex": "41"}], "potentiometers": {"0": 1}, "expansion_card": {}, "steps": [{"expect": {"D0": 0}}]})")
+          ["passed"],
+      true);
+}
+
+TEST(Scenario, PulsesAndInterruptsComeBeforeTheScans) {
+  EXPECT_EQ(run(R"({"program": 2, "steps": [
+    {"pulses": {"X5": 25, "X0": 1}, "interrupts": ["I001", "I610"], "scans": 3, "expect": {"CN235": 25, "C235:u": 25, "D4": 0, "D5": 52, "D6": 610}},
+    {"set": {"X5": 1}, "expect": {"CN235": 25}, "why": "set changes the image for the scan only"},
+    {"pulses": {"X5": 2}, "expect": {"CN235": 27}}]})")["failures"],
+            Json::array());
+}
+
+TEST(Scenario, MistakesInConnectionsAreSaid) {
+  auto of = [](const std::string &keys, const char *step = "{}") {
+    return error((R"({"program": 2, )" + keys + R"("steps": [)" + step + "]}").c_str());
+  };
+  EXPECT_EQ(of(R"("serial": {}, )"), "step 0: {} is no array of serial texts");
+  EXPECT_EQ(of(R"("serial": [{"port": 0}], )"), "step 0: 'rx_hex' is missing in {\"port\":0}");
+  EXPECT_EQ(of(R"("serial": [{"rx_hex": "4"}], )"), "step 0: \"4\" are no bytes such as \"41 0D\"");
+  EXPECT_EQ(of(R"("serial": [{"rx_hex": "4 1"}], )"), "step 0: \"4 1\" are no bytes such as \"41 0D\"");
+  EXPECT_EQ(of(R"("serial": [{"rx_hex": 41}], )"), "step 0: 41 are no bytes such as \"41 0D\"");
+  EXPECT_EQ(of(R"("serial": [{"rx_hex": "41", "after": 1}], )"), "step 0: unknown key 'after'");
+  EXPECT_EQ(of(R"("serial": [{"rx_hex": "41", "port": 16}], )"), "step 0: 16 is no port");
+  EXPECT_EQ(of(R"("potentiometers": [5], )"), "step 0: 'potentiometers' is an object such as {\"0\": 512}, not [5]");
+  EXPECT_EQ(of(R"("potentiometers": {"0": 1024}, )"),
+            "step 0: 'potentiometers' has numbers with positions from 0 to 1023, not \"0\": 1024");
+  EXPECT_EQ(of(R"("expansion_card": {"a": 1}, )"),
+            "step 0: 'expansion_card' has numbers with positions from 0 to 1023, not \"a\": 1");
+  EXPECT_EQ(of("", R"({"interrupts": "I001"})"), "step 0: 'interrupts' is an array of pointers, not \"I001\"");
+  EXPECT_EQ(of("", R"({"interrupts": ["X1"]})"), "step 0: \"X1\" is no interrupt pointer such as \"I001\"");
+  EXPECT_EQ(of("", R"({"pulses": {"X0": -1}})"), "step 0: X0: -1 is no number of pulses from 0 to 10000000");
+  EXPECT_EQ(of("", R"({"pulses": {"Y0": 1}})"), "step 0: Y0: only an input terminal gets pulses");
+  EXPECT_EQ(error(R"({"steps": [{"pulses": {"X0": 1}}]})"), "step 0: X0: this controller looks at its inputs in scans only");
+  EXPECT_EQ(of("", R"({"serial_sent": [{"rx_hex": "41"}]})"), "step 0: unknown key 'rx_hex'");
 }
 
 class ScenarioFiles : public testing::Test {
@@ -167,7 +233,7 @@ TEST_F(ScenarioFiles, OneResultForEachScenarioOnItsProgram) {
             0);
   EXPECT_EQ(results(), Json::parse(R"([{"name":"a","passed":true,"failures":[]},{"name":"b","passed":true,"failures":[]}])"));
   EXPECT_EQ(run_files(R"([{"program": 1, "name": "c", "steps": [{"set": {"X18": 1}}]}])"), 1);
-  EXPECT_EQ(results()[0]["error"], "step 0: 'X18' is no device of tp03: X counts in octal");
+  EXPECT_EQ(results()[0]["error"], "step 0: 'X18' is no device of octal: X counts in octal");
   EXPECT_EQ(run_files("[]"), 0);
   EXPECT_EQ(results(), Json::array());
 }

@@ -1,4 +1,15 @@
 // The system side of a TP03: special relays and registers, errors, clocks, RUN and STOP, interrupts, high-speed counters, pulses.
+//
+// A program owns one System. Each scan is begin_scan(now), the hooks that look at device images, the program, the hooks behind it,
+// end_scan(); between scans the host may read and write M8000 on and D8000 on like any device. Time comes in as an argument and
+// only its differences count. What an error does is state here, so that two programs never share any.
+//
+// Where the manual is silent:
+// * STOP to RUN clears M8067 and D8067; other special devices stay as they are.
+// * In the first scan no time has passed: time in STOP is neither scan time nor time of a timer.
+// * A watchdog error (6105) lasts until power comes on again; the switch alone does not end it. M8000 is OFF meanwhile.
+// * The host measures whole scans, so WDT has nothing to do. A program that jumps backwards without end is stopped by a limit.
+// * Behind the last active state D8040-D8047 hold 0, and D8049 where no annunciator is ON; with M8047 or M8049 OFF they stay.
 #pragma once
 
 #include "ladder/bit.h"
@@ -7,9 +18,11 @@
 #include "ladder/io.h"
 #include "ladder/numbered.h"
 #include "ladder/scan_types.h"
+#include "ladder/tp03/clocks.h"
 #include "ladder/tp03/counter.h"
 #include "ladder/tp03/fault.h"
 #include "ladder/tp03/high_speed.h"
+#include "ladder/tp03/interrupts.h"
 #include "ladder/tp03/parameters.h"
 #include "ladder/tp03/pulses.h"
 #include "ladder/tp03/timer.h"
@@ -17,6 +30,17 @@
 #include <cstdint>
 
 namespace ladder::tp03 {
+
+inline constexpr std::uint16_t kWatchdogError = 6105;
+
+/// What a program talks to while nothing is connected.
+class NoIo final : public Io {
+public:
+  static NoIo &instance() noexcept {
+    static NoIo nothing;  // has no state
+    return nothing;
+  }
+};
 
 class System {
 public:
@@ -28,13 +52,20 @@ public:
   // ---- the host's side
   void power_on(const Parameters &parameters) noexcept;
   void set_mode(Mode mode) noexcept;
+  /// Sets the clock; the weekday follows from the date. False, and nothing changed, where D8018 cannot show the year.
   bool set_calendar(Calendar time) noexcept;
   void connect(Io *io) noexcept { io_ = io; }
-  bool running() const noexcept;
-  Status status() const noexcept;
+  /// In RUN and not stopped by an error.
+  bool running() const noexcept { return mode_ == Mode::Run && !stopped_; }
+  Status status() const noexcept { return {mode_, running(), error_, error_step_, scans_}; }
   void watchdog_error() noexcept;  ///< the host found a scan longer than D8000 ms: 6105, the CPU stops
-  /// M8034 is OFF: the image of Y goes to the terminals.
-  bool outputs_enabled() const noexcept { return !M[8034]; }
+  /// The image of Y goes to the terminals: M8034 is OFF, and no error has stopped the CPU.
+  bool outputs_enabled() const noexcept { return !stopped_ && static_cast<bit>(M[8034]) == off; }
+  /// An input terminal changed between scans. The image does not see it; counters and interrupts do.
+  void input(unsigned number, bool state) noexcept {
+    if (running())
+      sense(number, bit(state));
+  }
 
   // ---- the scan
   bool begin_scan(Micros now) noexcept;  ///< false: the program must not be executed, nor end_scan() called
@@ -49,10 +80,12 @@ public:
   std::uint32_t elapsed_us() const noexcept { return elapsed_us_; }
   /// Time since power-on as seen at the beginning of this scan, microseconds; wraps around after 71 minutes.
   std::uint32_t now_us() const noexcept { return now_us_; }
+  /// Counts the scans that were begun; wraps around.
+  std::uint32_t scan_number() const noexcept { return scan_number_; }
   bit first_scan() const noexcept { return M[8002]; }
-  Io &io() noexcept { return *io_; }
+  Io &io() noexcept { return io_ != nullptr ? *io_ : NoIo::instance(); }
   /// The clock as D8013-D8019 show it.
-  const Calendar &calendar() const noexcept { return calendar_; }
+  const Calendar &calendar() const noexcept { return clock_.now(); }
 
   /// Rising edge for P forms: none in the first scan.
   template <class Memory> bit pulse(Memory &&memory, bit now) noexcept {
@@ -71,46 +104,271 @@ public:
 
   /// Fault: M8067 and D8067. None: the place that was in error is not any more.
   void check(Fault fault, std::uint32_t step) noexcept {
-    if (fault != Fault::None || M[8067])
+    if (fault != Fault::None || static_cast<bit>(M[8067]) == on)
       report(fault, step);
   }
   /// False, and error 6706, where an index register led out of the devices. A place with its condition OFF reports nothing.
   bool in_range(bool inside, std::uint32_t step, bit executed = on) noexcept {
-    if (inside)
-      return true;
     if (executed)
-      report(Fault::Range, step);
-    return false;
+      check(inside ? Fault::None : Fault::Range, step);
+    return inside;
   }
 
   // ---- program flow
-  /// FOR n: passes through the loop; below 1 none... see F08.
-  static word passes(word n) noexcept;
+  /// FOR n: passes through the loop, one at least.
+  static constexpr word passes(word n) noexcept { return n > 1 ? n : word{1}; }
   /// A jump backwards. False when so many have been made in this scan that the watchdog of a real controller would have expired:
   /// error 6105, the scan ends.
-  bool may_jump_back() noexcept;
-  void reset_watchdog() noexcept {}  ///< WDT: the host measures whole scans only
+  bool may_jump_back() noexcept {
+    if (jumps_ < kJumps) {
+      ++jumps_;
+      return true;
+    }
+    watchdog_error();
+    return false;
+  }
+  void reset_watchdog(std::uint32_t = 0) noexcept {}  ///< WDT: the host measures whole scans only
   /// The condition of a transfer between states, which M8040 inhibits.
   bit transfer(bit condition) const noexcept { return condition & !M[8040]; }
 
   // ---- interrupts
-  void enable_interrupts(std::uint32_t step) noexcept;
-  void disable_interrupts(std::uint32_t step) noexcept;
+  void enable_interrupts(std::uint32_t = 0) noexcept { interrupts_.enable(); }
+  void disable_interrupts(std::uint32_t = 0) noexcept { interrupts_.disable(); }
   /// An event that the program has a routine for; held while interrupts are disabled or a routine runs, up to 8.
-  void raise(unsigned pointer) noexcept;
-  /// The pointer of the next routine to run, or -1.
-  int next_interrupt() noexcept;
+  void raise(unsigned pointer) noexcept {
+    if (running())
+      interrupts_.raise(pointer, M);
+  }
+  /// The pointer of the next routine to run, or -1. The routine asked for before has ended with this.
+  int next_interrupt() noexcept { return running() ? interrupts_.next(M) : -1; }
+  /// Between next_interrupt() and the call that follows: routines are not interrupted themselves.
+  bool routine_running() const noexcept { return interrupts_.routine_running(); }
 
   // ---- 32-bit counters
-  void count(LongCounter &counter, unsigned number, bit pulse, dword preset, std::uint32_t step) noexcept;  ///< OUT C200-C234
-  void enable_high_speed(LongCounter &counter, unsigned number, bit condition, dword preset, std::uint32_t step) noexcept;
+  /// OUT C200-C234
+  void count(LongCounter &counter, unsigned number, bit pulse, dword preset, std::uint32_t = 0) noexcept {
+    counter.count(pulse, preset, M[8000 + number]);
+  }
+  /// OUT C235-C254
+  void enable_high_speed(LongCounter &counter, unsigned number, bit condition, dword preset, std::uint32_t = 0) noexcept {
+    counter.coil = condition;
+    counter.preset = preset;
+    high_speed.enable(counter, number, condition);
+  }
 
 private:
-  void report(Fault fault, std::uint32_t step) noexcept;
+  static constexpr std::uint32_t kJumps = 100000;
 
-  Io *io_;
-  Calendar calendar_ = calendar::kUnset;
-  std::uint32_t elapsed_us_ = 0, now_us_ = 0;
+  void start_run() noexcept;
+  void leave_run() noexcept;
+  void show_run(bit running, bit first) noexcept;
+  void report(Fault fault, std::uint32_t step) noexcept;
+  void show_errors() noexcept;
+  void sense(unsigned number, bit state) noexcept {
+    if (high_speed.look(number, state, *this))
+      interrupts_.edge(number, static_cast<bool>(state), M);
+  }
+
+  Io *io_ = nullptr;
+  Parameters parameters_ = {{0, 0, 0}};
+  Interrupts interrupts_;
+  ClockRelays relays_;
+  ScanTimes scan_times_;
+  RealTimeClock clock_;
+  Micros last_now_ = 0;
+  std::uint32_t elapsed_us_ = 0, now_us_ = 0, scan_number_ = 0;
+  std::uint32_t scans_ = 0, error_step_ = 0, jumps_ = 0;
+  std::uint16_t error_ = 0;
+  Mode mode_ = Mode::Stop;
+  bool stopped_ = false;
+  bool timed_ = false;      ///< last_now_ is a time
+  bool first_scan_ = true;  ///< no completed scan to measure
 };
+
+// Start, RUN and STOP.
+
+inline void System::power_on(const Parameters &parameters) noexcept {
+  parameters_ = parameters;
+  M.clear();
+  D.clear();
+  D[8000] = 200;  // watchdog, ms
+  D[8177] = 7;    // data link: slaves, retries, timeout
+  D[8179] = 3;
+  D[8180] = 5;
+  D[8377] = 4;  // remote I/O: likewise
+  D[8379] = 3;
+  D[8380] = 5;
+  relays_.restart();
+  clock_.forget_setting();
+  clock_.show(D);
+  pulses.restart();
+  now_us_ = 0;
+  timed_ = false;
+  stopped_ = false;
+  error_ = 0;
+  error_step_ = 0;
+  mode_ = Mode::Run;
+  start_run();
+}
+
+inline void System::set_mode(Mode mode) noexcept {
+  if (mode == mode_)
+    return;
+  mode_ = mode;
+  if (stopped_)
+    return;
+  if (mode == Mode::Run)
+    start_run();
+  else
+    leave_run();
+}
+
+inline void System::start_run() noexcept {
+  high_speed.restart();
+  interrupts_.restart(parameters_);
+  scan_times_.restart();
+  M[8067] = off;
+  D[8067] = 0;
+  show_errors();
+  show_run(on, on);
+  scans_ = 0;
+  first_scan_ = true;
+}
+
+inline void System::leave_run() noexcept {
+  high_speed.restart();
+  interrupts_.restart(parameters_);
+  pulses.restart();
+  show_run(off, off);
+}
+
+/// M8000-M8003.
+inline void System::show_run(bit running, bit first) noexcept {
+  M[8000] = running;
+  M[8001] = !running;
+  M[8002] = first;
+  M[8003] = !first;
+}
+
+inline bool System::set_calendar(Calendar time) noexcept {
+  if (!clock_.set(time))
+    return false;
+  clock_.show(D);
+  return true;
+}
+
+// The scan.
+
+inline bool System::begin_scan(Micros now) noexcept {
+  const std::uint32_t elapsed_us = timed_ ? now - last_now_ : 0;  // unsigned: right across the wrap
+  last_now_ = now;
+  timed_ = true;
+  now_us_ += elapsed_us;
+  relays_.advance(elapsed_us, M);
+  clock_.advance(elapsed_us);
+  clock_.exchange(M, D);
+  pulses.advance(elapsed_us, M, D, io());
+  show_errors();
+  if (!running())
+    return false;
+  ++scan_number_;
+  jumps_ = 0;
+  elapsed_us_ = first_scan_ ? 0 : elapsed_us;
+  if (!first_scan_)
+    scan_times_.measure(elapsed_us, D);
+  show_run(on, bit(first_scan_));
+  first_scan_ = false;
+  interrupts_.advance(elapsed_us_, M);
+  return true;
+}
+
+inline void System::end_scan() noexcept {
+  show_run(on, off);
+  clock_.exchange(M, D);
+  ++scans_;
+}
+
+template <class X> void System::watch_inputs(const X &x) noexcept {
+  for (unsigned number = 0; number < HighSpeed::kInputs && number < X::kPoints; ++number)
+    sense(number, x[number]);
+}
+
+template <class T> void System::begin_timers(T &t) noexcept {
+  for (unsigned number = 246; number <= 249 && number < T::kPoints; ++number)
+    if (t[number].coil)
+      t[number].template advance<1000>(elapsed_us_, false);
+}
+
+template <class T> void System::end_timers(T &t) noexcept {
+  for (unsigned number = 192; number <= 199 && number < T::kPoints; ++number) {
+    Timer &timer = t[number];
+    const std::uint16_t now = static_cast<std::uint16_t>(scan_number_);
+    if (!timer.coil || timer.scan == now)
+      continue;
+    timer.scan = now;
+    timer.template advance<100000>(elapsed_us_, true);
+  }
+}
+
+template <class S> void System::show_states(const S &s) noexcept {
+  const auto next_on = [&s](unsigned number, unsigned end) {
+    while (number < end && number < S::kPoints && static_cast<bit>(s[number]) == off)
+      ++number;
+    return number < end && number < S::kPoints ? number : end;
+  };
+  bit active{};
+  if (M[8047]) {
+    unsigned state = next_on(0, 900);
+    active = bit(state < 900);
+    for (unsigned place = 8040; place <= 8047; ++place) {
+      D[place] = state < 900 ? static_cast<word>(state) : word{0};
+      state = state < 900 ? next_on(state + 1, 900) : state;
+    }
+  }
+  M[8046] = active;
+  active = off;
+  if (M[8049]) {
+    const unsigned annunciator = next_on(900, 1000);
+    active = bit(annunciator < 1000);
+    D[8049] = active ? static_cast<word>(annunciator) : word{0};
+  }
+  M[8048] = active;
+}
+
+// Errors.
+
+inline void System::watchdog_error() noexcept {
+  if (stopped_)
+    return;
+  M[8061] = on;
+  D[8061] = static_cast<word>(kWatchdogError);
+  error_ = kWatchdogError;
+  error_step_ = 0;
+  stopped_ = true;
+  leave_run();
+  show_errors();
+}
+
+inline void System::report(Fault fault, std::uint32_t step) noexcept {
+  if (fault == Fault::None) {
+    if (step != error_step_)
+      return;
+    M[8067] = off;
+  } else {
+    error_ = static_cast<std::uint16_t>(fault);
+    error_step_ = step;
+    M[8067] = on;
+    D[8067] = static_cast<word>(fault);
+  }
+  show_errors();
+}
+
+/// M8004.
+inline void System::show_errors() noexcept {
+  bit any{};
+  for (unsigned number = 8060; number <= 8067; ++number)
+    any |= M[number];
+  M[8004] = any;
+}
 
 }  // namespace ladder::tp03

@@ -1,10 +1,11 @@
 // Timers of the TP03: each measures its own time since its coil came ON.
 //
-// The clock of a timer is looked at only where its coil instruction is executed: it advances by the time that the last scan took, and
-// its contact switches there. An execution that finds the coil newly ON starts at 0. Skipped timers stand still. Only the timers for
-// routines (T192-T199) and the accumulating ones of 1 ms (T246-T249) keep time by themselves, see System.
+// The clock of a timer is looked at only where its coil instruction is executed: it advances by the time since the scan before, and
+// its contact switches there. An execution that finds the coil newly ON starts at 0, a second one in the same scan does not
+// advance, and the first one after scans in which it was skipped goes on where it stood. Only the timers for routines (T192-T199)
+// and the accumulating ones of 1 ms (T246-T249) keep time by themselves, see System.
 //
-// A set value of 0 or below closes the contact at the second execution.
+// A set value of 0 or below closes the contact at the coil instruction of the next scan.
 #pragma once
 
 #include "ladder/bit.h"
@@ -16,36 +17,38 @@
 namespace ladder::tp03 {
 
 struct Timer {
-  word value = 0;              ///< whole units
+  word value = 0;  ///< whole units
   bit contact{};
   bit coil{};
-  std::uint32_t rest_us = 0;   ///< time beyond the whole units
-  word preset = 0;             ///< of the last execution, for timers that keep time by themselves
-  bit executed{};              ///< in this scan
+  std::uint32_t rest_us = 0;  ///< time beyond the whole units
+  word preset = 0;            ///< of the last execution, for timers that keep time by themselves
+  std::uint16_t scan = 0;     ///< number of the scan that the time is kept up to
 
   /// 100 ms, 10 ms and 1 ms timers: coil OFF clears value and contact.
   template <class System> constexpr void on_delay_100ms(bit condition, word set, const System &sys) noexcept {
-    on_delay<100000>(condition, set, sys.elapsed_us());
+    on_delay<100000>(condition, set, sys);
   }
   template <class System> constexpr void on_delay_10ms(bit condition, word set, const System &sys) noexcept {
-    on_delay<10000>(condition, set, sys.elapsed_us());
+    on_delay<10000>(condition, set, sys);
   }
   template <class System> constexpr void on_delay_1ms(bit condition, word set, const System &sys) noexcept {
-    on_delay<1000>(condition, set, sys.elapsed_us());
+    on_delay<1000>(condition, set, sys);
   }
   /// Accumulating timers: coil OFF holds value and contact, only reset() clears them.
   template <class System> constexpr void accumulate_100ms(bit condition, word set, const System &sys) noexcept {
-    accumulate<100000>(condition, set, sys.elapsed_us());
+    accumulate<100000>(condition, set, sys);
   }
   /// T246-T249: the value has been kept by advance(); here the contact switches.
-  template <class System> constexpr void accumulate_1ms(bit condition, word set, const System &) noexcept {
+  template <class System> constexpr void accumulate_1ms(bit condition, word set, const System &sys) noexcept {
+    const std::uint16_t now = static_cast<std::uint16_t>(sys.scan_number());
     preset = set;
-    if (condition & coil)
-      contact |= bit(value >= limit());
+    if (condition & coil & bit(now != scan) & bit(value >= limit()))
+      contact = on;
     coil = condition;
+    scan = now;
   }
 
-  template <std::uint32_t Unit> constexpr void on_delay(bit condition, word set, std::uint32_t elapsed_us) noexcept {
+  template <std::uint32_t Unit, class System> constexpr void on_delay(bit condition, word set, const System &sys) noexcept {
     if (!condition) {
       value = 0;
       contact = off;
@@ -53,33 +56,36 @@ struct Timer {
       coil = off;
       return;
     }
-    accumulate<Unit>(condition, set, elapsed_us);
+    accumulate<Unit>(condition, set, sys);
   }
 
-  template <std::uint32_t Unit> constexpr void accumulate(bit condition, word set, std::uint32_t elapsed_us) noexcept {
+  template <std::uint32_t Unit, class System> constexpr void accumulate(bit condition, word set, const System &sys) noexcept {
     preset = set;
-    executed = on;
+    const std::uint16_t now = static_cast<std::uint16_t>(sys.scan_number());
+    const std::uint16_t passed = static_cast<std::uint16_t>(now - scan);
     const bit running = condition & coil;
     coil = condition;
-    if (running)
-      advance<Unit>(elapsed_us, true);
+    scan = now;
+    if (running & bit(passed != 0))
+      advance<Unit>(passed == 1 ? sys.elapsed_us() : 0, true);
   }
 
   /// Time passes. Timers that keep time by themselves close their contact elsewhere.
   template <std::uint32_t Unit> constexpr void advance(std::uint32_t elapsed_us, bool switches) noexcept {
     if (contact)
       return;
-    const std::uint32_t sum = rest_us + elapsed_us;
-    if (sum < Unit) {
-      rest_us = sum;
+    if (elapsed_us < Unit - rest_us) {  // most scans are shorter than a unit: no division
+      rest_us += elapsed_us;
     } else {
-      const std::uint32_t total = static_cast<std::uint32_t>(value) + sum / Unit;
-      const std::uint32_t most = static_cast<std::uint32_t>(limit());
-      value = static_cast<word>(total < most ? total : most);
-      rest_us = sum % Unit;
+      const std::uint32_t after_first = elapsed_us - (Unit - rest_us);
+      const std::int32_t total = value + static_cast<std::int32_t>(after_first / Unit + 1);
+      value = total < limit() ? static_cast<word>(total) : limit();
+      rest_us = after_first % Unit;
     }
-    if (switches)
-      contact = bit(value >= limit());
+    if (switches && value >= limit()) {
+      value = limit();  // where the program has written more
+      contact = on;
+    }
   }
 
   constexpr void reset() noexcept {

@@ -1,4 +1,4 @@
-// The time that a program is told: the real monotonic clock, or a virtual one that a scan moves.
+// The time that a program is told: the real monotonic clock, or a virtual one that a scan moves; and the calendar of the computer.
 #pragma once
 
 #include "ladder/scan_types.h"
@@ -27,5 +27,8 @@ private:
   std::uint64_t virtual_now_ = 0;
   Micros step_ = 0;
 };
+
+/// Date and time of this computer, local.
+Calendar system_calendar();
 
 }  // namespace ladder::hosted

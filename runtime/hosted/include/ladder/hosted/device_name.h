@@ -1,7 +1,8 @@
 // Finding a device by the text that people write: "X1F", "D100", "TN0", "D0:d", "D0.5", "K4X0".
 //
 // The classes and their radix come from the program's table. A timer or counter T0 is its contact; TN0 is its current value, TC0
-// its coil, TS0 its contact again. ":d", ":u" and ":f" read 32 bits: two words, low word first. Case does not matter.
+// its coil, TS0 its contact again. ":d", ":u" and ":f" read 32 bits: two words, low word first. CN200 has 32 bits by itself where
+// the counter has, and C200:d is the same. Case does not matter.
 #pragma once
 
 #include "ladder/symbols.h"

@@ -6,6 +6,7 @@
 
 #include "ladder/hosted/clock.h"
 #include "ladder/hosted/device_access.h"
+#include "ladder/io.h"
 #include "ladder/symbols.h"
 
 #include <cstdint>
@@ -24,6 +25,14 @@ public:
   void power_on();
   void set_mode(Mode mode) { symbols_->set_mode(object(), mode); }
   void set_calendar(const Calendar &calendar) { symbols_->set_calendar(object(), calendar); }
+  /// Serial ports and whatever else there is beside terminals; `io` outlives this or the next connect. False: the controller has
+  /// nothing of the kind.
+  bool connect(Io *io);
+  /// An input terminal goes to the other state and back `count` times between two scans; the image does not see it. Throws
+  /// DeviceError where `ref` is no terminal, or the controller looks at its terminals in scans only.
+  void pulse(const DeviceRef &ref, std::uint64_t count);
+  /// Requests the routine of an interrupt pointer. Throws DeviceError where the controller has none.
+  void interrupt(unsigned pointer);
   /// Writes the held inputs, runs one scan at the clock's time, moves a virtual clock on.
   void scan();
   /// The host measured a scan longer than ProgramSymbols::watchdog_us.
