@@ -58,7 +58,7 @@ TEST(Layout, FunctionsAndFilesHoldAllRungsInOrder) {
     const emit::Layout layout = layout_of(rungs, limits);
     std::size_t next = 0;
     unsigned file = 0;
-    for (const emit::Chunk &chunk : layout.chunks) {
+    for (const emit::Chunk &chunk : layout.routines[0].chunks) {
       EXPECT_EQ(chunk.first, next);
       EXPECT_LE(2 * (chunk.last - chunk.first + 1), 40u);
       EXPECT_TRUE(chunk.file == file || chunk.file == file + 1);
@@ -73,15 +73,15 @@ TEST(Layout, FunctionsAndFilesHoldAllRungsInOrder) {
 
 TEST(Layout, AFunctionHoldsNoMoreRungsThanItsLimit) {
   const emit::Layout layout = layout_of(130, {});
-  ASSERT_EQ(layout.chunks.size(), 3u);
-  EXPECT_EQ(layout.chunks[0].last, 63u);
-  EXPECT_EQ(layout.chunks[2].first, 128u);
+  ASSERT_EQ(layout.routines[0].chunks.size(), 3u);
+  EXPECT_EQ(layout.routines[0].chunks[0].last, 63u);
+  EXPECT_EQ(layout.routines[0].chunks[2].first, 128u);
   EXPECT_EQ(layout.files, 1u);
 }
 
 TEST(Layout, AnEmptyProgramHasNoFunction) {
   auto c = compile("END\n");
-  EXPECT_TRUE(emit::make_layout(c->module, c->program.parameters, {}).chunks.empty());
+  EXPECT_TRUE(emit::make_layout(c->module, c->program.parameters, {}).routines[0].chunks.empty());
 }
 
 }  // namespace
