@@ -276,7 +276,10 @@ struct SpecialTimer {
       sys.scan(100000);
       EXPECT_EQ(stmr.run(condition, timer, 5, m.run(0), sys), Fault::None);
     }
-    return m[0].value() * 1000U + m[1].value() * 100U + m[2].value() * 10U + m[3].value();
+    std::uint32_t digits = 0;
+    for (unsigned i = 0; i < 4; ++i)
+      digits = digits * 10 + static_cast<bit>(m[i]).value();
+    return digits;
   }
 };
 }  // namespace
