@@ -132,7 +132,7 @@ let section = "F63", title = "Incremental cam",
                   "is reset and the next stage begins; behind the last one the first, and M8029 is ON for that execution, "
                   "otherwise OFF. When the condition goes OFF, both counters are cleared and all n bits go OFF; when it comes ON, "
                   "the first stage begins. Where RUN finds the condition ON, counters that are latched go on." in
-defm INCD : Plain<"INCD", 63, Keeps<"incd", [0, 1, 2, 3], [1, 2]>, [CamTable<OpWordBlock>, StageCounter, BitsOut<"D">, CamCount], 9,
+defm INCD_cam : Plain<"INCD", 63, Keeps<"incd", [0, 1, 2, 3], [1, 2]>, [CamTable<OpWordBlock>, StageCounter, BitsOut<"D">, CamCount], 9,
                   "D300 C0 M0 K4">;
 }
 
