@@ -197,11 +197,13 @@ std::vector<std::string> writers_of(const Compilation &c, llvm::StringRef device
   return lines;
 }
 
-/// A value as the runner gives it: a number, or a pattern as text.
+/// A value as the runner gives it: a number, a pattern as text, or the bytes of a serial port.
 std::string text_of(const json &failure, const char *key) {
   const auto found = failure.find(key);
   if (found == failure.end())
     return "?";
+  if (*found == "")
+    return "nothing";
   return found->is_string() ? found->get<std::string>() : found->dump();
 }
 

@@ -43,12 +43,13 @@ multiclass Combining<string m, int n, Calling c> {
 multiclass InPlace<string m, int n, string fn> {
   defm "" : PulsedBoth<m, n, Computes<fn, [0], [0]>, [Changed<"D", OpWord>], [Changed<"D", OpDWord>], 3, 5, "D0", "D0">;
 }
-// m S1 S2 D with a result of twice the width. A product of 16-bit operands may go to (V, Z), a wider one or a quotient may not.
-def ProductPairs : Classes<[DevT, DevC, DevD, DevDS, DevZ], [], [DevY, DevM, DevMS, DevS]>;
-def WideResults : Classes<[DevT, DevC, DevD, DevDS], [], [DevY, DevM, DevMS, DevS]>;
-multiclass Widening<string m, int n, Calling c, OperandType result16, OperandType result32, Classes places16> {
-  defm "" : PulsedBoth<m, n, c, [Source<"S1", OpWord>, Source<"S2", OpWord>, Target<"D", result16, places16>],
-                       [Source<"S1", OpDWord>, Source<"S2", OpDWord>, Target<"D", result32, WideResults>], 7, 13, "D0 D2 D4",
+// m S1 S2 D with a result of twice the width. That of 16-bit operands may go to an index register pair (Vn, Zn), a wider one not.
+def PairResults : Classes<[DevT, DevC, DevD, DevDS, DevZ], [], [DevY, DevM, DevMS, DevS]>;
+def ProductResults : Classes<[DevT, DevC, DevD, DevDS], [], [DevY, DevM, DevMS, DevS]>;
+def QuotientResults : Classes<[DevT, DevC, DevCL, DevD, DevDS], [], [DevY, DevM, DevMS, DevS]>;
+multiclass Widening<string m, int n, Calling c, OperandType result16, OperandType result32, Classes places32> {
+  defm "" : PulsedBoth<m, n, c, [Source<"S1", OpWord>, Source<"S2", OpWord>, Target<"D", result16, PairResults>],
+                       [Source<"S1", OpDWord>, Source<"S2", OpDWord>, Target<"D", result32, places32>], 7, 13, "D0 D2 D4",
                        "D0 K100000 D4">;
 }
 
@@ -69,12 +70,12 @@ let section = "F22", title = "Multiply",
     description = "D becomes the signed product of S1 and S2 at twice their width, low word first, so that it always fits: a "
                   "pair of words, with D four words. Digits as D take the low bits only, up to K8: K4 keeps 16 bits of the "
                   "product, DMUL never stores more than 32. No flag changes. With the condition OFF D stays." in
-defm MUL : Widening<"MUL", 22, Computes<"mul", [0, 1], [2]>, OpDWord, OpQWord, ProductPairs>;
+defm MUL : Widening<"MUL", 22, Computes<"mul", [0, 1], [2]>, OpDWord, OpQWord, ProductResults>;
 let section = "F23", title = "Divide", errors = ["6706: S2 is 0"],
     description = "Divides S1 by S2, both signed. The quotient, cut towards 0, goes to D, the remainder, with the sign of S1, to "
                   "the place behind it (one word, with D a pair). Digits as D take the quotient only. The lowest number divided "
                   "by -1 wraps round to itself, remainder 0. No flag changes. With the condition OFF, and on an error, D stays." in
-defm DIV : Widening<"DIV", 23, MayFail<"div", [0, 1], [2]>, OpWordTwice, OpDWordTwice, WideResults>;
+defm DIV : Widening<"DIV", 23, MayFail<"div", [0, 1], [2]>, OpWordTwice, OpDWordTwice, QuotientResults>;
 let section = "F24", title = "Increment",
     description = "Adds 1 to D, 16 bits, with D 32, in every scan while the condition is ON; INCP does it once. The highest "
                   "number is followed by the lowest. No flag changes." in

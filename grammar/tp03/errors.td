@@ -79,8 +79,8 @@ def : Stop<6701, "no jump destination", "CJ or CALL has no label that it may go 
 def : GoesOn<6705, "operand", "An operand is a device that the instruction does not take, or operands contradict each other.",
              "Correct the operands. The instruction was not executed.">;
 def : GoesOn<6706, "number or value",
-             "A device number, with its index or with the devices that follow it, does not exist; or a value is outside of its range: "
-             "divisor 0, a digit above 9, the square root of a negative number.",
+             "A device number, with its index or with the devices that follow it, does not exist; or a value is outside of its "
+             "range: divisor 0, a digit above 9, the square root of a negative number.",
              "Correct index or value. The instruction was not executed.">;
 def : Stop<6709, "routine or loop torn apart", "IRET or SRET is missing, or a loop overlaps a routine.", "Pair them.", "7.2">;
 class Pid<int c, string n, string why> : GoesOn<c, "PID: " # n, why, "Correct the parameters of PID.">;

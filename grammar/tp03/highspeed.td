@@ -67,8 +67,8 @@ defvar CompareRules = " Only a count compares: neither a value written to the co
 defvar TooMany = "6705: a seventh comparison at a time";
 let section = "F53", title = "Set a bit, or interrupt, at a count", errors = [TooMany],
     description = "While ON, the count that brings the high-speed counter S2 to the value S1, from below or above, sets D at "
-                  "once, without waiting for the scan; an output goes straight to its terminal. D stays ON. With I010 to I060 as D "
-                  "the count requests that interrupt routine instead; M8059 ON inhibits it." # CompareRules in {
+                  "once, without waiting for the scan; an output goes straight to its terminal. D stays ON. With I010 to I060 as "
+                  "D the count requests that interrupt routine instead; M8059 ON inhibits it." # CompareRules in {
 def DHSCS : AtCount<"HSCS", 53, "SetAtCount", [0, 1], [2], LaterBit<"D", InnerBits>, "M10">;
 def DHSCS_Y : AtCount<"HSCS", 53, "SetOutputAtCount", [0, 1], [2], LaterBit<"D", OutputBits>, "Y1">;
 def DHSCS_I : AtCount<"HSCS", 53, "InterruptAtCount", [0, 1, 2], [], CountInterrupt, ""> {
@@ -94,10 +94,11 @@ class CountZone<string f, Classes c, string d>
   let wide = 1;
   let section = "F55";
   let title = "Compare a count with a zone";
-  let errors = [TooMany, "6706: S1 is above S2, or D, D+1, D+2 do not all exist"];
+  let errors = [TooMany, "6706: D, D+1, D+2 do not all exist"];
   let description = "While ON, every count of the high-speed counter S writes three bits at once, without waiting for the scan: "
-                    "D is ON below S1, D+1 from S1 to S2, D+2 above S2; outputs go straight to their terminals. The execution "
-                    "that finds it ON first writes them too. OFF leaves them as they are." # CompareRules;
+                    "D is ON below S1, D+1 from S1 to S2, D+2 above S2; outputs go straight to their terminals. An S2 below S1 "
+                    "counts as S1. The execution that finds it ON first writes them too. OFF leaves them as they are." #
+                    CompareRules;
   let example = Rung<"LD M8000\nOUT C251 K5000\nLD X10\nDHSZ K1000 K2000 C251 " # d>.text;
 }
 def DHSZ : CountZone<"ZoneOfCount", InnerBits, "M10">;

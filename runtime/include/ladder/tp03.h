@@ -4,6 +4,7 @@
 #include "ladder/bit.h"
 #include "ladder/edge.h"
 #include "ladder/image.h"
+#include "ladder/index.h"
 #include "ladder/io.h"
 #include "ladder/numbered.h"
 #include "ladder/scan_types.h"
@@ -14,6 +15,7 @@
 #include "ladder/tp03/interrupts.h"
 #include "ladder/tp03/parameters.h"
 #include "ladder/tp03/pulses.h"
+#include "ladder/tp03/states.h"
 #include "ladder/tp03/system.h"
 #include "ladder/tp03/timer.h"
 

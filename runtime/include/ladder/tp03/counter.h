@@ -1,7 +1,7 @@
 // Counters of the TP03: 16 bits upwards, 32 bits in both directions.
 //
-// OUT C hands a pulse in (its place in the list has an edge memory of its own). RST C drives a reset coil: while it is ON, value and
-// contact are 0 and pulses do not count; a RST that is skipped leaves it as it is.
+// OUT C hands a pulse in (its place in the list has an edge memory of its own). RST C drives a reset coil: while it is ON, value
+// and contact are 0 and pulses do not count; a RST that is skipped leaves it as it is.
 #pragma once
 
 #include "ladder/bit.h"

@@ -40,7 +40,8 @@ public:
 
   /// A terminal went ON or OFF.
   template <class M> void edge(unsigned input, bool state, const M &m) noexcept {
-    if (input < 6 && (edges_ >> (2 * input + state) & 1U) != 0)
+    const std::uint32_t edges = edges_;
+    if (input < 6 && (edges >> (2 * input + state) & 1U) != 0)
       raise(input * 100 + state, m);
   }
   template <class M> void raise(unsigned pointer, const M &m) noexcept {

@@ -60,20 +60,23 @@ public:
   Status status() const noexcept { return {mode_, running(), error_, error_step_, scans_}; }
   void watchdog_error() noexcept;  ///< the host found a scan longer than D8000 ms: 6105, the CPU stops
   /// The image of Y goes to the terminals: M8034 is OFF, and no error has stopped the CPU.
-  bool outputs_enabled() const noexcept { return !stopped_ && static_cast<bit>(M[8034]) == off; }
+  bool outputs_enabled() const noexcept { return !stopped_ && !is_on(8034); }
   /// An input terminal changed between scans. The image does not see it; counters and interrupts do.
-  void input(unsigned number, bool state) noexcept {
+  void input(unsigned number, bit state) noexcept {
     if (running())
-      sense(number, bit(state));
+      sense(number, state);
   }
 
   // ---- the scan
   bool begin_scan(Micros now) noexcept;  ///< false: the program must not be executed, nor end_scan() called
   void end_scan() noexcept;
-  template <class X> void watch_inputs(const X &x) noexcept;  ///< edges of X0-X5 since the last look: counters and interrupts
-  template <class T> void begin_timers(T &t) noexcept;        ///< T246-T249 keep time in the background
-  template <class T> void end_timers(T &t) noexcept;          ///< T192-T199 keep time where their coil was not executed
-  template <class S> void show_states(const S &s) noexcept;   ///< M8046, M8048, D8040-D8047, D8049
+  template <class X> void watch_inputs(const X &x) noexcept;      ///< edges of X0-X5 since the last look: counters and interrupts
+  template <class T> void begin_timers(T &t) noexcept;            ///< T246-T249 keep time in the background
+  template <class T> void end_timers(T &t) noexcept;              ///< T192-T199 keep time where their coil was not executed
+  template <class S> void show_states(const S &s) noexcept;       ///< M8046, M8048, D8040-D8047, D8049
+  bool clears_unlatched() const noexcept { return is_on(8031); }  ///< END clears what is not latched
+  bool clears_latched() const noexcept { return is_on(8032); }    ///< END clears what is latched
+  bool holds_memory() const noexcept { return is_on(8033); }      ///< RUN to STOP clears nothing
 
   // ---- for instructions
   /// Time between the beginning of the last scan and that of this one, microseconds.
@@ -104,10 +107,9 @@ public:
 
   /// Fault: M8067 and D8067. None: the place that was in error is not any more.
   void check(Fault fault, std::uint32_t step) noexcept {
-    if (fault != Fault::None || static_cast<bit>(M[8067]) == on)
+    if (fault != Fault::None || is_on(8067))
       report(fault, step);
   }
-  /// False, and error 6706, where an index register led out of the devices. A place with its condition OFF reports nothing.
   bool in_range(bool inside, std::uint32_t step, bit executed = on) noexcept {
     if (executed)
       check(inside ? Fault::None : Fault::Range, step);
@@ -128,6 +130,8 @@ public:
     return false;
   }
   void reset_watchdog(std::uint32_t = 0) noexcept {}  ///< WDT: the host measures whole scans only
+  /// CJ or CALL whose index leads to a label that is not placed.
+  void no_such_label(std::uint32_t step) noexcept { report(Fault::Range, step); }
   /// The condition of a transfer between states, which M8040 inhibits.
   bit transfer(bit condition) const noexcept { return condition & !M[8040]; }
 
@@ -159,6 +163,7 @@ public:
 private:
   static constexpr std::uint32_t kJumps = 100000;
 
+  bool is_on(unsigned relay) const noexcept { return static_cast<bool>(M[relay]); }
   void start_run() noexcept;
   void leave_run() noexcept;
   void show_run(bit running, bit first) noexcept;

@@ -176,7 +176,7 @@ struct ClearAtCount {
 template <bool Terminal> struct CountInZone {
   template <class Run, class System>
   Fault run(bit condition, dword lower, dword upper, LongCounter &counter, Run targets, System &sys) noexcept {
-    if (condition && (lower > upper || targets.points() < CountComparison::kTargets)) {
+    if (condition && targets.points() < CountComparison::kTargets) {
       sys.high_speed.leave(this);
       return Fault::Range;
     }
@@ -184,7 +184,7 @@ template <bool Terminal> struct CountInZone {
       const bool fresh = entry.action == CountComparison::Action::None;
       entry.action = CountComparison::Action::Zone;
       entry.value = lower;
-      entry.upper = upper;
+      entry.upper = upper < lower ? lower : upper;
       for (unsigned i = 0; i < CountComparison::kTargets; ++i)
         set_target(entry, i, targets);
       if (Terminal)
