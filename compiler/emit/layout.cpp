@@ -5,6 +5,7 @@
 #include "emit/rung.h"
 #include "ir/extent.h"
 
+#include "llvm/ADT/DenseMap.h"
 #include "llvm/ADT/STLExtras.h"
 #include "llvm/ADT/StringExtras.h"
 
@@ -93,9 +94,21 @@ bool directs_routine(const ir::Rung &rung) {
   });
 }
 
-bool leaves_routine(const ir::Module &module, const ir::Rung &rung) {
-  return llvm::any_of(rung.operations, [&](const ir::Operation &o) {
-    return o.op == Op::Return || o.op == Op::EndScan || o.op == Op::Jump;
+/// True where the routine may be left before its end: SRET or FEND in its midst, a jump to END, one backwards (which the watchdog may
+/// end).
+bool leaves_routine(const ir::Routine &routine) {
+  llvm::DenseMap<std::uint32_t, std::uint32_t> labels;
+  for (const ir::Rung &rung : routine.rungs)
+    for (const ir::Operation &o : rung.operations)
+      if (o.op == Op::Label)
+        labels[o.place.number] = rung.number;
+  return llvm::any_of(routine.rungs, [&](const ir::Rung &rung) {
+    return llvm::any_of(rung.operations, [&](const ir::Operation &o) {
+      if (o.op != Op::Jump)
+        return o.op == Op::Return || o.op == Op::EndScan;
+      const auto label = labels.find(o.place.number);
+      return o.place.is_indexed() || label == labels.end() || label->second <= rung.number;
+    });
   });
 }
 
@@ -146,9 +159,9 @@ void cut(const std::vector<ir::Rung> &rungs, std::size_t first, std::size_t end,
     chunks.back().own_function = false;
 }
 
-RoutineLayout lay_out(const ir::Module &module, const ir::Routine &routine, const LayoutLimits &limits, Files &files) {
+RoutineLayout lay_out(const ir::Routine &routine, const LayoutLimits &limits, Files &files) {
   RoutineLayout layout;
-  layout.returns = llvm::any_of(routine.rungs, [&](const ir::Rung &rung) { return leaves_routine(module, rung); });
+  layout.returns = leaves_routine(routine);
   layout.file = routine.kind == ir::RoutineKind::Main ? 0 : files.next();
   const std::vector<ir::Rung> &rungs = routine.rungs;
   for (std::size_t i = 0; i < rungs.size();) {
@@ -200,7 +213,7 @@ Layout make_layout(const ir::Module &module, const Parameters &parameters, const
         if (o.info && o.info->style == CallStyle::Memory)
           layout.memories.push_back({o.info->function.str(), memory_name(*o.info, o.step), o.step});
       }
-    layout.routines.push_back(lay_out(module, routine, limits, files));
+    layout.routines.push_back(lay_out(routine, limits, files));
   }
   for (const std::vector<InitialValue> *values : {&parameters.initial_values, &parameters.latched_values})
     for (const InitialValue &value : *values)

@@ -136,7 +136,7 @@ std::string subscript(const DeviceInfo &device, std::uint32_t number) {
   if (device.radix == 16 && number > 9)
     return fmt::format("0x{:X}", number);
   if (device.radix == 8 && number > 7)
-    return fmt::format("oct({:o})", number);
+    return fmt::format("0{:02o}", number);  // X10 is X[010], an octal literal as the manual writes the device
   return fmt::format("{}", number);
 }
 

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "melsec-qs.inc"
+#include "tp03.inc"
 
 namespace ladderc {
 namespace {
@@ -19,6 +20,7 @@ namespace {
 // Alphabetical by id. A new family is its file in grammar/, its name in grammar/CMakeLists.txt, and a line here and above.
 constexpr FamilyInfo kFamilies[] = {
     melsec_qs_tables::kFamily,
+    tp03_tables::kFamily,
 };
 
 struct FamilyIndex {
