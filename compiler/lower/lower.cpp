@@ -180,6 +180,9 @@ private:
       ++rung().instruction_count;
       last = i;
     }
+    // A state may have several regions: one that drives, one that transfers behind a merge.
+    if (const unsigned regions = ++regions_[state.name]; regions > 1)
+      state.name += "_" + std::to_string(regions);
     current_ = &list_[index];
     if (!states_entered_)
       append(Op::Leave);
@@ -575,6 +578,7 @@ private:
   llvm::DenseSet<std::uint32_t> called_, jumped_;
   bool calls_by_index_ = false;
   std::map<std::uint32_t, std::vector<Bus>> label_buses_;
+  std::map<std::string, unsigned> regions_;  ///< of each state, by its routine's name
   std::uint32_t bus_count_ = 0, skips_ = 0;
   llvm::SmallVector<std::uint32_t, 8> open_loops_;
   llvm::SmallVector<ValueId, 16> blocks_;
