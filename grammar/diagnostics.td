@@ -11,6 +11,7 @@ class Diagnostic<string i, string sev, string text> {
   string severity = sev;    // "Error", "Warning", "Note"
   string message = text;
   string explanation = "";
+  string family = "";       // of the lists, where it is not melsec-qs
   string wrong = "";        // a list that gets the message; a test compiles it
   string right = "";        // the same put right; a test compiles it without this message
   list<Ref> references = [];
@@ -22,3 +23,4 @@ class Note<string i, string text> : Diagnostic<i, "Note", text>;
 include "diagnostics/source.td"
 include "diagnostics/syntax.td"
 include "diagnostics/sema.td"
+include "diagnostics/flow.td"

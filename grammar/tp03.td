@@ -19,7 +19,7 @@ def Tp03 : Family<"tp03", "TECO TP03", "TP03"> {
   let maxLoops = 16;
   let maxCalls = 16;
   let maxMerge = 10;
-  let warnedMerge = 8;
+  let warnedMerge = 9;
   let endLabel = 63;
   let hasIndexRegisters = 1;
   let errorsStop = 0;

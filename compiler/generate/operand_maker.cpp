@@ -85,7 +85,7 @@ bool OperandMaker::take_number(const OperandInfo &info, Operand &operand) {
 }
 
 bool OperandMaker::in_place(const OperandInfo &info, const Operand &operand) const {
-  const std::uint32_t count = sema::extent(info, operand), number = static_cast<std::uint32_t>(operand.value);
+  const std::uint32_t count = sema::extent(family_, info, operand), number = static_cast<std::uint32_t>(operand.value);
   if (operand.value < 0 || operand.value >= points(operand.device))
     return false;
   if (info.type != OperandType::WordBlock && crosses_end(family_, options_.parameters, operand.device, number, count) &&
@@ -181,7 +181,7 @@ void OperandMaker::fit_blocks(const InstructionInfo &info, std::vector<Operand> 
           if (read_only[n])
             end = static_cast<std::uint32_t>(n);
       const std::uint32_t room = end - std::min(end, static_cast<std::uint32_t>(operands[k].value));
-      most = std::min(most, room / sema::extent(info.operands[k], operands[k]));
+      most = std::min(most, room / sema::extent(family_, info.operands[k], operands[k]));
     }
   Operand &length = operands.back();
   const bool told = length.kind == OperandKind::Decimal || length.kind == OperandKind::Hexadecimal;

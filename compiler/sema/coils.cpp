@@ -4,11 +4,15 @@
 // a slip. SET and RST act only while ON and belong in pairs. The device of an MC tells the state of its region and must be nobody
 // else's. An edge relay is the memory of one place. The first instruction of each kind on each device is remembered in flat
 // vectors.
+//
+// States of a step ladder are active by turns: a device may have a driver in each. Two in one state are a double coil, and so is
+// one in a state with one outside.
 #include "sema/coils.h"
 
 #include "sema/names.h"
 
 #include "fmt/format.h"
+#include "llvm/ADT/STLExtras.h"
 
 namespace ladderc::sema {
 
@@ -20,7 +24,7 @@ bool is_written_bit(const OperandInfo &info) {
   if (info.dir == Direction::In)
     return false;
   return info.type == OperandType::Bit || info.type == OperandType::Timer || info.type == OperandType::Counter ||
-         info.type == OperandType::Annunciator;
+         info.type == OperandType::LongCounter || info.type == OperandType::Annunciator;
 }
 
 std::string coil_name(const FamilyInfo &family, const Operand &operand) {
@@ -38,13 +42,41 @@ void Coils::visit(InstructionIndex index, const Resolved &resolved) {
   for (unsigned k = 0; k < operands.size(); ++k) {
     if (!is_written_bit(info.operands[k]) || operands[k].device == kNoDevice)
       continue;
-    // RST of a whole word has a word entry of its own or names the word here; only bits are coils.
-    bool whole_word =
-        operands[k].kind == OperandKind::Device && context_.family.devices[operands[k].device].kind == DeviceKind::Word;
-    if (!whole_word && operands[k].kind != OperandKind::Digits)
+    if (is_coil(index, operands[k]))
       write(index, operands[k]);
     break;
   }
+}
+
+bool Coils::is_coil(InstructionIndex index, const Operand &operand) const {
+  // RST of a whole word has a word entry of its own or names the word here; only bits are coils.
+  const bool whole_word = operand.kind == OperandKind::Device && context_.device(operand).kind == DeviceKind::Word;
+  const bool transfers = context_.instruction(index).info->lowering == Lowering::Transfer && ranges_.state_of(index) != kMainScope;
+  return !whole_word && !transfers && operand.kind != OperandKind::Digits && operand.index == kNoDevice;
+}
+
+/// Writes its device in every scan.
+bool Coils::drives(InstructionIndex index) const {
+  const InstructionInfo &info = *context_.instruction(index).info;
+  return info.drives || (info.lowering == Lowering::Transfer && info.transfer_outside == Lowering::Store);
+}
+
+/// An earlier driver of the device that can act in the same scan.
+InstructionIndex Coils::other_driver(InstructionIndex index, const Operand &operand, const Coil &coil) const {
+  if (coil.driver != kNoInstruction)
+    return coil.driver;
+  auto in_states = state_drivers_.find({operand.device, operand.value});
+  if (in_states == state_drivers_.end() || operand.kind == OperandKind::BitOfWord)
+    return kNoInstruction;
+  const ScopeIndex state = ranges_.state_of(index);
+  if (state == kMainScope)
+    return in_states->second.front();
+  const auto own = ranges_.states(state);
+  for (InstructionIndex other : in_states->second)
+    for (std::int64_t number : ranges_.states(ranges_.state_of(other)))
+      if (llvm::is_contained(own, number))
+        return other;
+  return kNoInstruction;
 }
 
 Coils::Coil &Coils::coil_of(const Operand &operand) {
@@ -52,7 +84,7 @@ Coils::Coil &Coils::coil_of(const Operand &operand) {
   std::vector<Coil> &coils = coils_[operand.device];
   if (coils.empty())
     coils.resize(std::size_t(context_.parameters.points[operand.device]) * (of_word ? kBitsOfWord : 1));
-  std::size_t slot = static_cast<std::size_t>(operand.value);
+  std::size_t slot = static_cast<std::size_t>(operand.value) - context_.device(operand).first;
   return coils[of_word ? slot * kBitsOfWord + operand.bit : slot];
 }
 
@@ -71,14 +103,21 @@ void Coils::write(InstructionIndex index, const Operand &operand) {
   } else if (info.lowering == Lowering::EdgeRelay) {
     if (coil.driver != kNoInstruction)
       warn(DiagId::EdgeRelayShared, index, operand, coil.driver);
-  } else if (info.drives && coil.driver != kNoInstruction) {
-    bool is_timer = context_.family.devices[operand.device].kind == DeviceKind::Timer;
-    bool other_speed = is_timer && info.function != context_.instruction(coil.driver).info->function;
-    warn(other_speed ? DiagId::TimerSpeedMixed : DiagId::DoubleCoil, index, operand, coil.driver);
+  } else if (const InstructionIndex other = drives(index) ? other_driver(index, operand, coil) : kNoInstruction;
+             other != kNoInstruction) {
+    bool is_timer = context_.device(operand).kind == DeviceKind::Timer;
+    bool other_speed = is_timer && info.function != context_.instruction(other).info->function;
+    warn(other_speed ? DiagId::TimerSpeedMixed : DiagId::DoubleCoil, index, operand, other);
   }
   first(coil.writer);
-  if (info.drives || info.lowering == Lowering::EdgeRelay)
+  if (info.lowering == Lowering::EdgeRelay)
+    return first(coil.driver);
+  if (!drives(index))
+    return;
+  if (ranges_.state_of(index) == kMainScope)
     first(coil.driver);
+  else
+    state_drivers_[{operand.device, operand.value}].push_back(index);
 }
 
 void Coils::warn(DiagId id, InstructionIndex index, const Operand &operand, InstructionIndex earlier) {

@@ -20,10 +20,17 @@ struct Context {
   const FamilyInfo &family;
   const Parameters &parameters;
   Diagnostics &diagnostics;
+  llvm::StringRef model;
 
   Instruction &instruction(InstructionIndex i) const { return list.instructions[i]; }
   llvm::ArrayRef<Operand> operands(InstructionIndex i) const { return list.operands_of(list.instructions[i]); }
   llvm::StringRef text(SourceRange range) const { return diagnostics.sources().text(range); }
+
+  /// The device class of an operand that names a device.
+  const DeviceInfo &device(const Operand &operand) const { return family.devices[operand.device]; }
+  bool exists(const Operand &operand) const {
+    return number_exists(device(operand), model, parameters.points[operand.device], static_cast<std::uint64_t>(operand.value));
+  }
 
   [[nodiscard]] DiagBuilder report(DiagId id, InstructionIndex i, std::optional<SourceRange> range = std::nullopt) const {
     const Instruction &at = instruction(i);

@@ -67,9 +67,11 @@ void MasterRegions::open(InstructionIndex index, const Resolved &resolved) {
     return;
   }
   std::int64_t level = context_.operands(index)[operand].value;
+  bool misplaced = false;
   if (!level_in_range(index, operand)) {
     report_range(index, operand);
   } else if (!open_.empty() && level <= open_.back().level) {
+    misplaced = true;
     InstructionIndex outer = open_.back().opened_by;
     std::string outer_name = level_name(outer, level_operand(*context_.instruction(outer).info));
     context_.report(DiagId::LevelOrder, index, context_.operands(index)[operand].range)
@@ -79,7 +81,7 @@ void MasterRegions::open(InstructionIndex index, const Resolved &resolved) {
         .arg("outer", outer_name);
     ++excused_closings_;
   }
-  open_.push_back({index, level});
+  open_.push_back({index, level, misplaced});
 }
 
 void MasterRegions::close(InstructionIndex index, const Resolved &resolved) {
@@ -100,6 +102,12 @@ void MasterRegions::close(InstructionIndex index, const Resolved &resolved) {
         .arg("mnemonic", context_.instruction(index).info->spelling)
         .arg("operand", level_name(index, operand));
     ++excused_regions_;
+  }
+  if (!open_.empty() && open_.back().misplaced && open_.back().level == level) {
+    // Closes the region of the wrong level; whether those around are meant too, their own MCR will tell.
+    open_.pop_back();
+    ++excused_regions_;
+    return;
   }
   auto *inner = llvm::find_if(open_, [&](const Region &r) { return r.level >= level; });
   open_.erase(inner, open_.end());

@@ -21,6 +21,7 @@ private:
   struct Region {
     InstructionIndex opened_by;
     std::int64_t level;
+    bool misplaced = false;  ///< its level is not higher than that of the region around
   };
 
   void open(InstructionIndex index, const Resolved &resolved);

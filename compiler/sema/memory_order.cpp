@@ -21,6 +21,7 @@ Chain chain_of(const DeviceInfo &device) {
   case DeviceKind::Timer:
   case DeviceKind::Counter:
     return Chain::Words;
+  case DeviceKind::LongCounter:
   case DeviceKind::Nesting:
   case DeviceKind::Label:
   case DeviceKind::Index:
@@ -42,20 +43,23 @@ DeviceId next_class(const FamilyInfo &family, DeviceId device) {
 
 }  // namespace
 
-bool crosses_end(const FamilyInfo &, const Parameters &parameters, DeviceId device, std::uint32_t number, std::uint32_t count) {
-  return std::uint64_t(number) + count > parameters.points[device];
+bool crosses_end(const FamilyInfo &family, const Parameters &parameters, DeviceId device, std::uint32_t number,
+                 std::uint32_t count) {
+  return std::uint64_t(number) + count > std::uint64_t(family.devices[device].first) + parameters.points[device];
 }
 
 DevicePoint point_behind(const FamilyInfo &family, const Parameters &parameters, DevicePoint start, std::uint32_t distance) {
-  std::uint64_t number = std::uint64_t(start.number) + distance;
   DeviceId device = start.device;
-  while (device != kNoDevice && number >= parameters.points[device]) {
+  std::uint64_t place = std::uint64_t(start.number) - family.devices[device].first + distance;  // in its class
+  while (device != kNoDevice && place >= parameters.points[device]) {
     if (!family.pairs_cross_classes)
       return {kNoDevice, 0};
-    number -= parameters.points[device];
+    place -= parameters.points[device];
     device = next_class(family, device);
   }
-  return {device, device == kNoDevice ? 0 : static_cast<std::uint32_t>(number)};
+  if (device == kNoDevice)
+    return {kNoDevice, 0};
+  return {device, family.devices[device].first + static_cast<std::uint32_t>(place)};
 }
 
 }  // namespace ladderc

@@ -16,7 +16,8 @@ constexpr std::int64_t kTwoTo16 = 65'536;
 constexpr std::int64_t kTwoTo32 = 4'294'967'296;
 
 bool has_memory(DeviceKind kind) {
-  return kind == DeviceKind::Bit || kind == DeviceKind::Word || kind == DeviceKind::Timer || kind == DeviceKind::Counter;
+  return kind == DeviceKind::Bit || kind == DeviceKind::Word || kind == DeviceKind::Timer || kind == DeviceKind::Counter ||
+         kind == DeviceKind::LongCounter;
 }
 
 /// A device or bit of a word that exists with these parameters.
@@ -26,7 +27,7 @@ Problem read_device(llvm::StringRef text, const FamilyInfo &family, const Parame
   if (!plain || !has_memory(family.devices[operand.device].kind))
     return fmt::format("'{}' is no device", text.str());
   std::uint32_t points = parameters.points[operand.device];
-  if (static_cast<std::uint64_t>(operand.value) >= points)
+  if (!number_exists(family.devices[operand.device], {}, points, static_cast<std::uint64_t>(operand.value)))
     return fmt::format("'{}' lies outside the {} allocated points", text.str(), points);
   return std::nullopt;
 }
@@ -41,7 +42,7 @@ char take_part_letter(llvm::StringRef text, const FamilyInfo &family, std::strin
   if ((letter != 'N' && letter != 'C') || id == kNoDevice || find_device(family, text.take_front(number)) != kNoDevice)
     return 0;
   DeviceKind kind = family.devices[id].kind;
-  if (kind != DeviceKind::Timer && kind != DeviceKind::Counter)
+  if (kind != DeviceKind::Timer && kind != DeviceKind::Counter && kind != DeviceKind::LongCounter)
     return 0;
   device = text.take_front(number - 1).str() + text.drop_front(number).str();
   return letter;
@@ -129,7 +130,8 @@ Problem read_value(llvm::StringRef name, const Json &json, const FamilyInfo &fam
     return fmt::format("'{}': a pair of words is written like D0:d or D0:u", name.str());
 
   std::int64_t min = 0, max = 1, width = 2;
-  if (word && pair) {
+  const bool wide = letter == 'N' && family.devices[operand.device].kind == DeviceKind::LongCounter;
+  if (word && (pair || wide)) {
     width = kTwoTo32;
     min = suffix == "u" ? 0 : -kTwoTo32 / 2;
     max = kTwoTo32 - 1;
@@ -144,7 +146,7 @@ Problem read_value(llvm::StringRef name, const Json &json, const FamilyInfo &fam
     value.value -= width;
 
   std::uint32_t number = static_cast<std::uint32_t>(operand.value);
-  if (pair && number + 1 >= parameters.points[operand.device])
+  if (pair && number + 1 - family.devices[operand.device].first >= parameters.points[operand.device])
     return fmt::format("'{}' lies outside the {} allocated points", name.str(), parameters.points[operand.device]);
   value.device = name.str();
   range = {operand.device, number, pair ? number + 1 : number};

@@ -162,8 +162,11 @@ Problem ParameterReader::calendar(const Json &json) {
 
 Parameters default_parameters(const FamilyInfo &family, llvm::StringRef model) {
   Parameters parameters;
-  for (const DeviceInfo &device : family.devices)
+  for (const auto &[id, device] : llvm::enumerate(family.devices)) {
     parameters.points.push_back(points_of(device, model));
+    for (const ModelNumbers &run : latched_numbers(device, model))
+      parameters.latched.push_back({static_cast<DeviceId>(id), run.first, run.last});
+  }
   return parameters;
 }
 

@@ -25,7 +25,8 @@ struct InitialValue {
 };
 
 struct Parameters {
-  std::vector<std::uint32_t> points;          ///< per device class: allocation; numbers run from 0 to points - 1
+  std::vector<std::uint32_t>
+      points;  ///< per device class: allocation; numbers run from the first one of the class to that plus points - 1
   std::vector<DeviceRange> latched;           ///< kept over power-off and reset
   std::vector<InitialValue> latched_values;   ///< contents before power-on; the devices are in `latched` too
   std::vector<InitialValue> initial_values;   ///< written at power-on and at STOP to RUN

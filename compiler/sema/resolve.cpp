@@ -1,16 +1,19 @@
 // Which entry of the instruction table a list line is.
 //
-// Several entries share a spelling: OUT M0, OUT T0 K10, OUT F1; + S D and + S1 S2 D. First the number of operands decides, then the
-// device classes. Where nothing fits, the message is about the entry that the author most likely meant: one with the right number
-// of operands, unless only one of another length agrees in the first operand (OUT T0 lacks its set value and is no bad OUT of a
-// bit).
+// Several entries share a spelling: OUT M0, OUT T0 K10, OUT F1; OUT T0 and OUT T200; + S D and + S1 S2 D. First the number of
+// operands decides, then the device classes and numbers. Entries that the model lacks come last. Where nothing fits, the message is
+// about the entry that the author most likely meant: one with the right number of operands, unless only one of another length
+// agrees in the first operand (OUT T0 lacks its set value and is no bad OUT of a bit).
 #include "sema/resolve.h"
 
 #include "sema/names.h"
+#include "sema/operands.h"
 
 #include "llvm/ADT/STLExtras.h"
 #include "llvm/ADT/StringExtras.h"
 #include "llvm/ADT/Twine.h"
+
+#include <tuple>
 
 namespace ladderc::sema {
 
@@ -21,8 +24,18 @@ bool is_constant(const Operand &operand) {
 }
 
 bool is_timer_or_counter(const FamilyInfo &family, DeviceId device) {
-  return device != kNoDevice &&
-         (family.devices[device].kind == DeviceKind::Timer || family.devices[device].kind == DeviceKind::Counter);
+  if (device == kNoDevice)
+    return false;
+  const DeviceKind kind = family.devices[device].kind;
+  return kind == DeviceKind::Timer || kind == DeviceKind::Counter || kind == DeviceKind::LongCounter;
+}
+
+bool is_word(OperandType type) {
+  return type == OperandType::Word || type == OperandType::WordTwice || type == OperandType::WordBlock;
+}
+
+bool is_on_model(const InstructionInfo &info, llvm::StringRef model) {
+  return info.models.empty() || llvm::is_contained(info.models, model);
 }
 
 /// An unreadable operand has its message already and fits anywhere.
@@ -39,24 +52,37 @@ bool fits(const OperandInfo &info, const Operand &operand) {
   case OperandKind::Hexadecimal:
     return info.hexadecimal;
   case OperandKind::Text:
+    return info.type == OperandType::String;
   case OperandKind::Invalid:
     return true;
   }
   return false;
 }
 
+/// Of several entries for one device class, the number of the device chooses.
+bool fits_with_number(const OperandInfo &info, const Operand &operand) {
+  return fits(info, operand) && (operand.kind != OperandKind::Device || takes_number(info, operand.value));
+}
+
 /// How well the operands agree with an entry. The first one weighs most: it tells a timer from an output.
 struct Agreement {
   bool first = false;
+  bool on_model = false;
   unsigned count = 0;
+  unsigned numbers = 0;  ///< of them with a number that fits too
 
-  bool operator>(const Agreement &other) const { return first != other.first ? first : count > other.count; }
+  bool operator>(const Agreement &other) const {
+    return std::tie(first, on_model, count, numbers) > std::tie(other.first, other.on_model, other.count, other.numbers);
+  }
 };
 
-Agreement agreement(const InstructionInfo &info, llvm::ArrayRef<Operand> operands) {
+Agreement agreement(const Context &context, const InstructionInfo &info, llvm::ArrayRef<Operand> operands) {
   Agreement result;
-  for (auto [expected, operand] : llvm::zip(info.operands, operands))
+  result.on_model = is_on_model(info, context.model);
+  for (auto [expected, operand] : llvm::zip(info.operands, operands)) {
     result.count += fits(expected, operand);
+    result.numbers += fits_with_number(expected, operand);
+  }
   result.first = !operands.empty() && !info.operands.empty() && fits(info.operands.front(), operands.front());
   return result;
 }
@@ -81,6 +107,7 @@ public:
   Resolved run();
 
 private:
+  void report_model();
   void report_count();
   void report_class(unsigned position);
   Allowed bits_of_words() const;
@@ -97,6 +124,10 @@ private:
 Resolved Resolver::run() {
   if (!instruction_.info)
     return {};
+  if (!is_on_model(*instruction_.info, context_.model)) {
+    report_model();
+    return {true, false, 0};
+  }
   if (instruction_.info->operands.size() != operands_.size()) {
     if (!llvm::any_of(operands_, [](const Operand &o) { return o.kind == OperandKind::Invalid; }))
       report_count();
@@ -127,6 +158,16 @@ std::uint64_t Resolver::check_index_registers() const {
     bad |= std::uint64_t(1) << k;
   }
   return bad;
+}
+
+void Resolver::report_model() {
+  llvm::SmallVector<std::string, 4> models;
+  for (llvm::StringRef model : instruction_.info->models)
+    models.push_back(model.str());
+  context_.report(DiagId::NotOnModel, index_)
+      .arg("model", context_.model)
+      .arg("mnemonic", instruction_.info->spelling)
+      .arg("models", joined(models, "and"));
 }
 
 void Resolver::report_count() {
@@ -161,7 +202,7 @@ Allowed Resolver::allowed_at(unsigned position) const {
 bool Resolver::is_set_value(unsigned position) const {
   for (unsigned k = 0; k < position; ++k) {
     OperandType type = instruction_.info->operands[k].type;
-    if (type == OperandType::Timer || type == OperandType::Counter)
+    if (type == OperandType::Timer || type == OperandType::Counter || type == OperandType::LongCounter)
       return true;
   }
   return false;
@@ -180,6 +221,8 @@ void Resolver::report_class(unsigned position) {
     id = DiagId::HexConstant;
   else if (operand.kind == OperandKind::BitOfWord && is_timer_or_counter(context_.family, operand.device))
     id = DiagId::TimerCounterBit;
+  else if (plain && is_word(expected.type) && context_.device(operand).kind == DeviceKind::LongCounter && !is_set_value(position))
+    id = DiagId::LongCounterInWord;
   else if (is_set_value(position))
     id = DiagId::SetValue;
   else if (plain && writes && (expected.type == OperandType::Bit || expected.type == OperandType::Annunciator) &&
@@ -192,8 +235,7 @@ void Resolver::report_class(unsigned position) {
 
   if (id == DiagId::TimerCounterBit)
     allowed = bits_of_words();
-  bool is_word =
-      expected.type == OperandType::Word || expected.type == OperandType::WordTwice || expected.type == OperandType::WordBlock;
+  const bool word = is_word(expected.type);
   const std::pair<llvm::StringRef, std::string> args[] = {
       {"operand", context_.text(operand.range).str()},
       {"mnemonic", instruction_.info->spelling.str()},
@@ -201,8 +243,8 @@ void Resolver::report_class(unsigned position) {
       {"allowed", allowed_text(context_.family, allowed)},
       {"device", context_.text(operands_.front().range).str()},
       {"decimal", "K" + std::to_string(operand.value)},
-      {"digits", is_word ? "4" : "8"},
-      {"bits", is_word ? "16" : "32"},
+      {"digits", word ? "4" : "8"},
+      {"bits", word ? "16" : "32"},
   };
   DiagBuilder builder = context_.report(id, index_, operand.range);
   for (const auto &[name, value] : args)
@@ -226,7 +268,7 @@ void choose_entry(const Context &context, InstructionIndex index) {
   Choice same_count, other_count;
   for (const InstructionInfo *candidate : instruction.candidates) {
     Choice &choice = candidate->operands.size() == operands.size() ? same_count : other_count;
-    choice.offer(*candidate, agreement(*candidate, operands));
+    choice.offer(*candidate, agreement(context, *candidate, operands));
   }
   bool other_is_meant = !same_count.info || (other_count.agreement.first && !same_count.agreement.first);
   instruction.info = other_is_meant && other_count.info ? other_count.info : same_count.info;

@@ -10,6 +10,9 @@
 // branch that is never taken back would swallow all rungs behind it, hence an LD directly behind an output is taken for the next
 // rung as soon as its block turns out not to be joined. An unknown instruction may have been anything: its rung reports nothing
 // further.
+//
+// Behind the STL of a state, outputs need no contact until the first LD: the state drives them. Behind SMCS and JCS a new rung
+// begins.
 #include "sema/rungs.h"
 
 #include "llvm/ADT/STLExtras.h"
@@ -20,9 +23,26 @@ void Rungs::visit(InstructionIndex index) {
   Instruction &instruction = context_.instruction(index);
   instruction.rung = open_ ? rung_ : rung_ + 1;
   if (!instruction.info)
-    unknown(index);
-  else
-    place(index, instruction.info->placement);
+    return unknown(index);
+  place(index, instruction.info->placement);
+  switch (instruction.info->lowering) {
+  case Lowering::State:
+    state_head_ = true;
+    break;
+  case Lowering::StateEnd:
+  case Lowering::MainEnd:
+  case Lowering::Return:
+  case Lowering::InterruptReturn:
+  case Lowering::InterruptLabel:
+    state_head_ = false;
+    break;
+  case Lowering::BusStart:
+  case Lowering::Skip:
+    range_head_ = index;
+    break;
+  default:
+    state_head_ = state_head_ && instruction.info->placement != Placement::Start;
+  }
 }
 
 void Rungs::place(InstructionIndex index, Placement placement) {
@@ -50,6 +70,8 @@ void Rungs::place(InstructionIndex index, Placement placement) {
   case Placement::Alone:
   case Placement::End:
     return stand_alone(index);
+  case Placement::Label:
+    return stand_alone(index);
   case Placement::BetweenRungs:
     return between_rungs(index);
   case Placement::Anywhere:
@@ -60,11 +82,12 @@ void Rungs::place(InstructionIndex index, Placement placement) {
 // ---------------------------------------------------------------------------------------------- placements
 
 void Rungs::start(InstructionIndex index) {
-  bool closed = branches_.empty() && blocks_.size() == 1;
+  bool closed = branches_.empty() && (blocks_.size() == 1 || (state_head_ && blocks_.empty()));
   bool behind_output = last_ == Last::Output && (closed || failed_ != kNoInstruction);
   bool behind_unknown = last_ == Last::Unknown && closed;
   if (!open_ || behind_output || behind_unknown) {
-    bool may_go_on = open_ && closed && behind_output && failed_ == kNoInstruction;
+    bool may_go_on =
+        open_ && closed && behind_output && failed_ == kNoInstruction && !blocks_.empty() && range_head_ == kNoInstruction;
     Continuation before{may_go_on ? blocks_.front().opened_by : kNoInstruction, index, page_feed_, 0};
     begin_rung(index);
     before_ = before;
@@ -133,11 +156,17 @@ void Rungs::go_on_from_rung_before(InstructionIndex index) {
 void Rungs::push_branch(InstructionIndex index) {
   need_block(index, DiagId::NeedsCondition);
   unsigned max = context_.family.max_branches;
-  if (branches_.size() >= max)
+  const auto count = static_cast<long long>(branches_.size() + 1);
+  if (branches_.size() >= max) {
     if (auto diagnostic = fail(DiagId::BranchTooDeep, index))
-      diagnostic->arg("count", static_cast<long long>(branches_.size() + 1))
+      diagnostic->arg("count", count)
           .arg("max", max)
           .note(DiagId::OpenBranchSince, context_.instruction(branches_.front().opened_by).range);
+  } else if (context_.family.warned_branches != 0 && count >= context_.family.warned_branches && failed_ == kNoInstruction) {
+    report(DiagId::BranchDeep, index)
+        .arg("count", count)
+        .note(DiagId::OpenBranchSince, context_.instruction(branches_.front().opened_by).range);
+  }
   branches_.push_back({index, blocks_.size(), blocks_.back().edge_relay});
   leave_result(index);
 }
@@ -169,6 +198,11 @@ void Rungs::read_branch(InstructionIndex index, bool pop) {
 }
 
 void Rungs::output(InstructionIndex index) {
+  if (state_head_ && blocks_.empty()) {
+    continue_rung(index);
+    last_ = Last::Output;
+    return;
+  }
   need_block(index, DiagId::NeedsCondition);
   split_behind_open_branch(index);
   if (blocks_.size() > 1) {
@@ -180,7 +214,7 @@ void Rungs::output(InstructionIndex index) {
   before_ = {};
 }
 
-/// MCR and END: close the rung before and are one of their own.
+/// MCR, labels, END and the like: close the rung before and are one of their own.
 void Rungs::stand_alone(InstructionIndex index) {
   end_rung(index);
   context_.instruction(index).rung = ++rung_;
@@ -214,7 +248,7 @@ void Rungs::begin_rung(InstructionIndex index) {
   blocks_.clear();
   branches_.clear();
   last_ = Last::Nothing;
-  unused_ = failed_ = last_pop_ = page_feed_ = kNoInstruction;
+  unused_ = failed_ = last_pop_ = page_feed_ = range_head_ = kNoInstruction;
   after_unknown_ = false;
   before_ = {};
 }
@@ -223,6 +257,9 @@ void Rungs::begin_rung(InstructionIndex index) {
 void Rungs::continue_rung(InstructionIndex index) {
   if (!open_)
     return begin_rung(index);
+  if (range_head_ != kNoInstruction)
+    if (auto diagnostic = fail(DiagId::ContactExpected, index))
+      diagnostic->arg("before", context_.instruction(range_head_).info->spelling);
   if (page_feed_ != kNoInstruction && failed_ == kNoInstruction)
     (void)report(DiagId::NoplfInRung, page_feed_);
   page_feed_ = kNoInstruction;
@@ -284,7 +321,8 @@ std::optional<DiagBuilder> Rungs::fail(DiagId id, InstructionIndex index) {
 DiagBuilder Rungs::report(DiagId id, InstructionIndex index) const {
   const InstructionInfo *info = context_.instruction(index).info;
   DiagBuilder builder = context_.report(id, index);
-  builder.arg("mnemonic", info ? info->spelling : context_.text(context_.instruction(index).range));
+  const bool spelt = info && info->placement != Placement::Label;
+  builder.arg("mnemonic", spelt ? info->spelling : context_.text(context_.instruction(index).range));
   return builder;
 }
 

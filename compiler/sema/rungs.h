@@ -27,7 +27,7 @@ private:
   };
   struct Branch {
     InstructionIndex opened_by;
-    std::size_t depth;  ///< blocks that were open
+    std::size_t depth;                             ///< blocks that were open
     InstructionIndex edge_relay = kNoInstruction;  ///< of the block whose result is kept
   };
   /// The end of the rung before, while this rung has no output and may yet turn out to go on from there.
@@ -74,7 +74,9 @@ private:
   InstructionIndex last_pop_ = kNoInstruction;   ///< MPP of this rung
   InstructionIndex page_feed_ = kNoInstruction;  ///< NOPLF behind an output: between rungs if a rung follows
   Continuation before_;
-  bool after_unknown_ = false;  ///< the rung began behind an unknown instruction, perhaps wrongly
+  InstructionIndex range_head_ = kNoInstruction;  ///< SMCS or JCS that ends the rung: no result goes on behind it
+  bool state_head_ = false;                       ///< behind STL, before the first contact: outputs are driven by the state
+  bool after_unknown_ = false;                    ///< the rung began behind an unknown instruction, perhaps wrongly
 };
 
 }  // namespace ladderc::sema

@@ -30,11 +30,11 @@ void Specials::check(const Context &context, InstructionIndex index, const Resol
   llvm::ArrayRef<Operand> operands = context.operands(index);
   for (unsigned k = 0; k < operands.size(); ++k) {
     const Operand &operand = operands[k];
-    if (!resolved.good(k) || info.operands[k].dir == Direction::In || operand.device == kNoDevice)
+    if (!resolved.good(k) || info.operands[k].dir == Direction::In || operand.device == kNoDevice || operand.index != kNoDevice)
       continue;
     const auto &numbers = read_only_[operand.device];
     std::uint64_t first = static_cast<std::uint64_t>(operand.value);
-    std::uint64_t end = std::min<std::uint64_t>(first + extent(info.operands[k], operand), numbers.size());
+    std::uint64_t end = std::min<std::uint64_t>(first + extent(context.family, info.operands[k], operand), numbers.size());
     for (std::uint64_t n = first; n < end; ++n) {
       if (!numbers[n])
         continue;

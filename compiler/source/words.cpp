@@ -75,7 +75,8 @@ llvm::StringRef sign(std::uint32_t c) {
     return ">=";
   case 0x2260:
     return "<>";
-  case 0x2013:  // word processors make it of a minus
+  case 0x2013:  // word processors make these of a minus
+  case 0x2014:
   case 0x2212:
     return "-";
   default:

@@ -37,6 +37,7 @@ struct DiagInfo {
   llvm::StringRef wrong;  ///< a list that gets this message
   llvm::StringRef right;  ///< the list put right
   llvm::ArrayRef<DiagReference> references;
+  llvm::StringRef family = {};  ///< of the two lists, where it is not the usual one
 };
 
 enum class DiagId : std::uint16_t {

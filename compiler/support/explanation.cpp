@@ -26,7 +26,8 @@ void print_explanation(const DiagInfo &diagnostic, llvm::raw_ostream &out) {
   out << diagnostic.id << " (" << kind(diagnostic.severity) << ")\n\n    " << diagnostic.message << '\n';
   if (llvm::StringRef text = diagnostic.explanation.trim(); !text.empty())
     out << '\n' << text << '\n';
-  print_list("A list that gets it:", diagnostic.wrong, out);
+  const std::string family = diagnostic.family.empty() ? std::string() : " (" + diagnostic.family.str() + ")";
+  print_list("A list that gets it" + family + ":", diagnostic.wrong, out);
   print_list("Put right:", diagnostic.right, out);
   for (const DiagReference &reference : diagnostic.references) {
     out << "\nManual of " << reference.family;

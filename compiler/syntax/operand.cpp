@@ -7,6 +7,8 @@
 //   index     = index register class and decimal number; "Z" number is known in families without index registers, too, so that sema
 //               can say that there are none
 //
+// Several classes may share a prefix (M0 and M8000); then the number chooses.
+//
 // `K410` is a constant and `K4X10` digits: letters behind the decimal digits make the difference.
 #include "syntax/operand.h"
 
@@ -70,9 +72,18 @@ bool blame_digit(OperandProblem &problem, llvm::StringRef word, llvm::StringRef 
 }  // namespace
 
 OperandReader::OperandReader(const FamilyInfo &family) : family_(family) {
-  for (const auto &[id, device] : llvm::enumerate(family.devices))
-    if (!device.prefix.empty())
-      prefixes_.push_back({device.prefix, static_cast<DeviceId>(id), device.radix});
+  for (const auto &[id, device] : llvm::enumerate(family.devices)) {
+    if (device.prefix.empty())
+      continue;
+    auto *known = llvm::find_if(prefixes_, [&, text = device.prefix](const Prefix &prefix) { return prefix.text == text; });
+    if (known == prefixes_.end()) {
+      prefixes_.push_back({device.prefix, static_cast<DeviceId>(id), device.radix, false});
+      continue;
+    }
+    known->shared = true;
+    if (device.first < family.devices[known->device].first)
+      known->device = static_cast<DeviceId>(id);
+  }
   llvm::stable_sort(prefixes_, [](const Prefix &a, const Prefix &b) {
     if (a.text.front() != b.text.front())
       return static_cast<unsigned char>(a.text.front()) < static_cast<unsigned char>(b.text.front());
@@ -90,6 +101,15 @@ OperandReader::OperandReader(const FamilyInfo &family) : family_(family) {
 llvm::ArrayRef<OperandReader::Prefix> OperandReader::prefixes(char first) const {
   const auto c = static_cast<unsigned char>(first);
   return llvm::ArrayRef<Prefix>(prefixes_).slice(first_[c], first_[c + 1u] - first_[c]);
+}
+
+/// Of the classes that begin at or before the number, the last one.
+DeviceId OperandReader::class_of(const Prefix &prefix, std::uint64_t number) const {
+  DeviceId found = prefix.device;
+  for (const auto &[id, device] : llvm::enumerate(family_.devices))
+    if (device.prefix == prefix.text && device.first <= number && device.first > family_.devices[found].first)
+      found = static_cast<DeviceId>(id);
+  return found;
 }
 
 bool OperandReader::read_device_word(llvm::StringRef word, Operand &operand, OperandProblem &problem) const {
@@ -122,7 +142,7 @@ bool OperandReader::read_device(llvm::StringRef word, const Prefix &prefix, Oper
   if (number.overflow)
     return blame(problem, DiagId::NumberTooLarge, word, number.digits);
   operand.kind = OperandKind::Device;
-  operand.device = prefix.device;
+  operand.device = prefix.shared ? class_of(prefix, number.value) : prefix.device;
   operand.value = static_cast<std::int64_t>(number.value);
   if (rest.consume_front(".") && !read_bit(rest, word, operand, problem))
     return false;
@@ -159,7 +179,7 @@ bool OperandReader::read_index(llvm::StringRef rest, Operand &operand) const {
   if (!family_.has_index_registers)
     return take("Z", kForeignIndex);
   for (const Prefix &prefix : prefixes(rest.front()))
-    if (family_.devices[prefix.device].kind == DeviceKind::Index && take(prefix.text, prefix.device))
+    if (is_index_register(family_, prefix.device) && take(prefix.text, prefix.device))
       return true;
   return false;
 }
@@ -184,10 +204,27 @@ bool OperandReader::read_decimal(llvm::StringRef word, Operand &operand, Operand
   return true;
 }
 
+/// `Z0M0` behind the K and its number: the count of digits was to be modified.
+bool OperandReader::is_indexed_count(llvm::StringRef rest) const {
+  for (const Prefix &prefix : prefixes(rest.front())) {
+    llvm::StringRef behind = rest;
+    Operand operand;
+    OperandProblem why;
+    if (!is_index_register(family_, prefix.device) || !behind.consume_front(prefix.text))
+      continue;
+    llvm::StringRef device = behind.drop_while(llvm::isDigit);
+    if (device.size() < behind.size() && !device.empty() && read_device_word(device, operand, why))
+      return true;
+  }
+  return false;
+}
+
 bool OperandReader::read_digits(llvm::StringRef word, llvm::StringRef rest, std::uint64_t count, Operand &operand,
                                 OperandProblem &problem) const {
   OperandProblem why;
   if (!read_device_word(rest, operand, why)) {
+    if (is_indexed_count(rest))
+      return blame(problem, DiagId::DigitCountIndexed, word, word);
     if (!why.looks_like_operand())
       return blame_digit(problem, word, rest, word.take_front(1), 10);
     problem = why;
@@ -249,6 +286,17 @@ Operand OperandReader::read(llvm::StringRef word, SourceRange range, OperandProb
   }
   operand.range = range;
   return operand;
+}
+
+bool OperandReader::goes_on(llvm::StringRef word, llvm::StringRef number) const {
+  if (!family_.spaced_operands || number.empty())
+    return false;
+  const bool digit = llvm::isDigit(number.front());
+  if (word == "K")
+    return digit || (number.front() == '-' && number.size() > 1 && llvm::isDigit(number[1]));
+  if (word == "H")
+    return digit || (llvm::all_of(number, llvm::isHexDigit) && read(number, {}).kind == OperandKind::Invalid);
+  return digit && !word.empty() && llvm::any_of(prefixes(word.front()), [&](const Prefix &prefix) { return prefix.text == word; });
 }
 
 Operand parse_operand(const FamilyInfo &family, llvm::StringRef word, SourceRange range) {

@@ -31,17 +31,24 @@ public:
   /// Invalid where the word is no operand; `problem`, if wanted, then says why.
   Operand read(llvm::StringRef word, SourceRange range, OperandProblem *problem = nullptr) const;
 
+  /// True where the word is letters to which a blank and `number` may belong: `S 20`, `K -5`, in a family that prints blanks there.
+  bool goes_on(llvm::StringRef word, llvm::StringRef number) const;
+
 private:
+  /// The classes of a prefix differ in their numbers only.
   struct Prefix {
     llvm::StringRef text;
-    DeviceId device;
+    DeviceId device;  ///< the class with the lowest numbers
     std::uint8_t radix;
+    bool shared;  ///< by several classes
   };
   /// The prefixes that begin with a character, longest first: `ST0` is no S.
   llvm::ArrayRef<Prefix> prefixes(char first) const;
+  DeviceId class_of(const Prefix &prefix, std::uint64_t number) const;
   bool read_device_word(llvm::StringRef word, Operand &operand, OperandProblem &problem) const;
   bool read_device(llvm::StringRef word, const Prefix &prefix, Operand &operand, OperandProblem &problem) const;
   bool read_bit(llvm::StringRef &rest, llvm::StringRef word, Operand &operand, OperandProblem &problem) const;
+  bool is_indexed_count(llvm::StringRef rest) const;
   bool read_index(llvm::StringRef rest, Operand &operand) const;
   bool read_decimal(llvm::StringRef word, Operand &operand, OperandProblem &problem) const;
   bool read_digits(llvm::StringRef word, llvm::StringRef rest, std::uint64_t count, Operand &operand,

@@ -3,8 +3,12 @@
 //   list        = { line }
 //   line        = { instruction }                  several on a line
 //               | operand { operand } { instruction }   operands of the instruction before, on a line of their own
-//   instruction = mnemonic { operand }
-//   mnemonic    = a spelling of the tables, or two words that the tables join by one blank (`LD =`)
+//   instruction = mnemonic { operand } | label [ ":" ]
+//   mnemonic    = a spelling of the tables, or words that make one together (`LD =`, `D MOV P`: mnemonics.cpp)
+//   operand     = a word, or the letter and the number of one as two words (`S 20`) in a family that prints blanks there
+//
+// A label (P8, I001) is an instruction whose operand is the word itself. Behind an instruction that has all its operands, a word
+// that begins with a dash makes the rest of the line a comment, in families without mnemonics of that kind.
 //
 // Some words are both, as BCD, which is an instruction and the link relay B0CD:
 //   * at the beginning of a line a mnemonic wins;
@@ -31,8 +35,8 @@ llvm::StringRef radix_name(unsigned radix) {
 
 class Parser {
 public:
-  Parser(const FamilyInfo &family, const SourceBuffer &buffer, unsigned file, Diagnostics &diagnostics)
-      : family_(family), buffer_(buffer), diagnostics_(diagnostics), mnemonics_(family), operands_(family) {
+  Parser(const FamilyInfo &family, const SourceBuffer &buffer, unsigned file, llvm::StringSaver &saver, Diagnostics &diagnostics)
+      : family_(family), buffer_(buffer), saver_(saver), diagnostics_(diagnostics), mnemonics_(family), operands_(family) {
     program_.family = &family;
     program_.file = file;
     program_.end_of_text = SourceRange(static_cast<std::uint32_t>(buffer.text().size()), 0, file);
@@ -55,11 +59,22 @@ private:
     Dropped,  ///< something that has been reported; words are passed over up to the next mnemonic
   };
 
-  void take_words(const ListLine &line);
+  /// One operand as it is written: a word, or two words that make one.
+  struct OperandWord {
+    Word word;
+    std::size_t words;
+  };
+
+  std::size_t take_words(const ListLine &line);
   std::size_t begin_line(const ListLine &line);
   std::size_t take_inner(llvm::ArrayRef<Word> words);
-  void take_operand(const Word &word);
-  void begin_known(llvm::ArrayRef<Word> words, const MnemonicMatch &match);
+  std::size_t take_operand(llvm::ArrayRef<Word> words);
+  std::size_t take_label(llvm::ArrayRef<Word> words);
+  void take_text(const Word &word);
+  OperandWord operand_word(llvm::ArrayRef<Word> words);
+  bool begins_comment(const Word &word) const;
+  SourceRange dash_comment(const ListLine &line, const Word &first) const;
+  void begin_known(llvm::ArrayRef<Word> words, const Mnemonic &mnemonic, std::size_t count);
   void begin_unknown(const Word &word);
   void add_operand(const Operand &operand);
   void report_operand(const Word &word, const OperandProblem &problem);
@@ -73,8 +88,12 @@ private:
   /// The instruction has as many operands as one of its entries takes, or more than all do.
   bool satisfied() const { return target_ != Target::Known || current_->takes(count()) || !has_room(); }
 
+  /// A text is due, which is no operand by its letters.
+  bool wants_text() const { return target_ == Target::Known && current_->takes_text(count()); }
+
   const FamilyInfo &family_;
   const SourceBuffer &buffer_;
+  llvm::StringSaver &saver_;
   Diagnostics &diagnostics_;
   Mnemonics mnemonics_;
   OperandReader operands_;
@@ -88,13 +107,37 @@ private:
 void Parser::take(const ListLine &line) {
   if (line.statement.length != 0)
     statements_.push_back(line.statement);
-  if (!line.words.empty()) {
-    take_words(line);
+  if (line.words.empty()) {
+    if (line.comment.length != 0)
+      statements_.push_back(line.comment);
+  } else if (const std::size_t words = take_words(line); words == line.words.size()) {
     comment(CommentKind::Line, line.comment);
-  } else if (line.comment.length != 0) {
-    statements_.push_back(line.comment);
+  } else if (const SourceRange range = dash_comment(line, line.words[words]); words != 0) {
+    comment(CommentKind::Line, range);
+  } else if (range.length != 0) {
+    statements_.push_back(range);
   }
   comment(CommentKind::Note, line.note);
+}
+
+/// A dash before a digit may be a misspelt constant where an operand is due.
+bool Parser::begins_comment(const Word &word) const {
+  if (!word.text.starts_with("-") || !mnemonics_.has_dash_comments())
+    return false;
+  llvm::StringRef behind = word.text.drop_front();
+  return satisfied() || behind.empty() || !llvm::isDigit(behind.front());
+}
+
+/// From behind the dashes of the first word to the end of the line.
+SourceRange Parser::dash_comment(const ListLine &line, const Word &first) const {
+  const std::uint32_t end = line.comment.length != 0 ? line.comment.end() : line.words.back().range.end();
+  llvm::StringRef text = buffer_.text().slice(first.range.begin, end);
+  for (bool dash = true; dash;) {
+    dash = false;
+    for (llvm::StringRef sign : {"-", " ", "\t", "\xE2\x80\x93", "\xE2\x80\x94", "\xE2\x88\x92", "\xEF\xBC\x8D"})
+      dash |= text.consume_front(sign);
+  }
+  return SourceRange(end - static_cast<std::uint32_t>(text.size()), static_cast<std::uint32_t>(text.size()), first.range.file);
 }
 
 /// A comment of the last instruction, or of the first one to come.
@@ -110,37 +153,42 @@ void Parser::take_statements() {
   statements_.clear();
 }
 
-void Parser::take_words(const ListLine &line) {
+/// Takes the words of a line up to a comment in dashes; returns how many they are.
+std::size_t Parser::take_words(const ListLine &line) {
   llvm::ArrayRef<Word> words = line.words;
   const bool cells = line.continues || line.starts_instruction;
+  if (begins_comment(words.front()))
+    return 0;
   std::size_t i = line.continues ? 0 : begin_line(line);
-  while (i < words.size()) {
-    if (cells) {
-      take_operand(words[i]);
-      ++i;
-    } else {
-      i += take_inner(words.drop_front(i));
-    }
-  }
+  while (i < words.size() && !begins_comment(words[i]))
+    i += cells ? take_operand(words.drop_front(i)) : take_inner(words.drop_front(i));
+  return i;
 }
 
 /// Decides what a line begins with; returns the number of words used.
 std::size_t Parser::begin_line(const ListLine &line) {
-  const Word &word = line.words.front();
+  if (!line.starts_instruction && wants_text())
+    return 0;
   if (MnemonicMatch match = mnemonics_.match(line.words)) {
-    begin_known(line.words, match);
+    begin_known(line.words, *match.mnemonic, match.words);
     return match.words;
   }
+  if (line.starts_instruction || satisfied())
+    if (const std::size_t words = take_label(line.words))
+      return words;
+  const Word &word = line.words.front();
   OperandProblem problem;
-  const bool readable = !line.starts_instruction && operands_.read(word.text, word.range, &problem).kind != OperandKind::Invalid;
+  const OperandWord operand = operand_word(line.words);
+  const bool readable =
+      !line.starts_instruction && operands_.read(operand.word.text, operand.word.range, &problem).kind != OperandKind::Invalid;
   const bool misspelt = !readable && !line.starts_instruction && problem.looks_like_operand() && !satisfied();
   if ((readable || misspelt) && has_room())
     return 0;
   if (readable && target_ == Target::Dropped)
-    return 1;
+    return operand.words;
   if (readable) {
-    report_stray(word);
-    return 1;
+    report_stray(operand.word);
+    return operand.words;
   }
   begin_unknown(word);
   return 1;
@@ -149,50 +197,114 @@ std::size_t Parser::begin_line(const ListLine &line) {
 /// A word behind the first one of a line.
 std::size_t Parser::take_inner(llvm::ArrayRef<Word> words) {
   const Word &word = words.front();
+  if (wants_text())
+    return take_operand(words);
+  const OperandWord operand = operand_word(words);
+  auto reads = [&] { return operands_.read(operand.word.text, operand.word.range); };
   if (target_ == Target::Known && !satisfied()) {
     // The usual case first: an operand is due and one stands here.
-    if (Operand operand = operands_.read(word.text, word.range); operand.kind != OperandKind::Invalid) {
-      add_operand(operand);
-      return 1;
+    if (Operand read = reads(); read.kind != OperandKind::Invalid) {
+      add_operand(read);
+      return operand.words;
     }
   }
   if (MnemonicMatch match = mnemonics_.match(words)) {
-    const bool operand_wins = target_ == Target::Unknown && operands_.read(word.text, word.range).kind != OperandKind::Invalid;
+    const bool operand_wins = target_ == Target::Unknown && reads().kind != OperandKind::Invalid;
     if (!operand_wins) {
-      begin_known(words, match);
+      begin_known(words, *match.mnemonic, match.words);
       return match.words;
     }
   }
+  if (target_ != Target::Unknown)
+    if (const std::size_t label = take_label(words))
+      return label;
   const bool wordlike = word.text.front() != '"' && llvm::none_of(word.text, llvm::isDigit);
   // HFF has no digit, but reads as an operand that there is room for.
-  const bool fits = has_room() && operands_.read(word.text, word.range).kind != OperandKind::Invalid;
-  if (target_ == Target::Known && satisfied() && wordlike && !fits) {
+  const bool fits = has_room() && reads().kind != OperandKind::Invalid;
+  if (target_ == Target::Known && satisfied() && wordlike && !fits && operand.words == 1) {
     begin_unknown(word);
     return 1;
   }
-  take_operand(word);
-  return 1;
+  return take_operand(words);
 }
 
-void Parser::take_operand(const Word &word) {
+/// `P8`, `P8:`, `P 8`: an instruction whose operand is the word. Returns the number of words, 0 where no label stands.
+std::size_t Parser::take_label(llvm::ArrayRef<Word> words) {
+  OperandWord written = operand_word(words);
+  (void)written.word.text.consume_back(":");
+  const Operand operand = operands_.read(written.word.text, written.word.range);
+  if (operand.kind != OperandKind::Device || family_.devices[operand.device].kind != DeviceKind::Label)
+    return 0;
+  const Mnemonic *label = mnemonics_.label(family_.devices[operand.device].prefix);
+  if (!label)
+    return 0;
+  begin_known(words, *label, written.words);
+  add_operand(operand);
+  return written.words;
+}
+
+/// The word that an operand is written with: letters and number may stand apart, and a pair may name its second device in brackets,
+/// `D4(D5)`, which says nothing.
+Parser::OperandWord Parser::operand_word(llvm::ArrayRef<Word> words) {
+  OperandWord result{words.front(), 1};
+  if (words.size() >= 2 && operands_.goes_on(words[0].text, words[1].text)) {
+    result.word.text = saver_.save(words[0].text + words[1].text);
+    result.word.range.length = words[1].range.end() - words[0].range.begin;
+    result.words = 2;
+  }
+  llvm::StringRef &text = result.word.text;
+  if (family_.spaced_operands && text.ends_with(")") && text.front() != '(')
+    text = text.take_until([](char c) { return c == '('; });
+  return result;
+}
+
+std::size_t Parser::take_operand(llvm::ArrayRef<Word> words) {
+  const OperandWord written = operand_word(words);
   switch (target_) {
   case Target::Nothing:
-    report_stray(word);
-    return;
+    report_stray(written.word);
+    return written.words;
   case Target::Dropped:
-    return;
+    return written.words;
   case Target::Known:
   case Target::Unknown:
     break;
   }
+  if (wants_text()) {
+    take_text(words.front());
+    return 1;
+  }
   if (count() == kMaxOperands) {
-    report_stray(word);
-    return;
+    report_stray(written.word);
+    return written.words;
   }
   OperandProblem problem;
-  const Operand operand = operands_.read(word.text, word.range, &problem);
+  const Operand operand = operands_.read(written.word.text, written.word.range, &problem);
   if (operand.kind == OperandKind::Invalid && target_ == Target::Known)
-    report_operand(word, problem);
+    report_operand(written.word, problem);
+  add_operand(operand);
+  return written.words;
+}
+
+/// A text with or without quotes, in the letters that stand in the file.
+void Parser::take_text(const Word &word) {
+  llvm::StringRef written = word.text;
+  std::string text;
+  if (written.consume_front("\"")) {
+    (void)written.consume_back("\"");
+    for (std::size_t i = 0; i < written.size(); ++i) {
+      text += written[i];
+      if (written[i] == '"' && i + 1 < written.size() && written[i + 1] == '"')
+        ++i;
+    }
+  } else {
+    text = buffer_.slice(word.range).str();
+  }
+  Operand operand;
+  operand.kind = OperandKind::Text;
+  operand.value = static_cast<std::int64_t>(program_.texts.size());
+  operand.range = word.range;
+  program_.texts.push_back(std::move(text));
   add_operand(operand);
 }
 
@@ -207,14 +319,14 @@ void Parser::begin(Instruction instruction) {
   program_.instructions.push_back(instruction);
 }
 
-void Parser::begin_known(llvm::ArrayRef<Word> words, const MnemonicMatch &match) {
+void Parser::begin_known(llvm::ArrayRef<Word> words, const Mnemonic &mnemonic, std::size_t count) {
   Instruction instruction;
-  instruction.candidates = match.mnemonic->entries;
+  instruction.candidates = mnemonic.entries;
   instruction.range = words.front().range;
-  if (match.words == 2)
-    instruction.range.length = words[1].range.end() - instruction.range.begin;
+  if (count > 1)
+    instruction.range.length = words[count - 1].range.end() - instruction.range.begin;
   begin(instruction);
-  current_ = match.mnemonic;
+  current_ = &mnemonic;
   target_ = Target::Known;
 }
 
@@ -267,7 +379,7 @@ ListProgram parse_list(const FamilyInfo &family, const SourceSet &sources, unsig
                        Diagnostics &diagnostics) {
   llvm::BumpPtrAllocator memory;
   llvm::StringSaver saver(memory);
-  Parser parser(family, sources[file], file, diagnostics);
+  Parser parser(family, sources[file], file, saver, diagnostics);
   read_list(sources[file], file, format, saver, diagnostics, [&](const ListLine &line) { parser.take(line); });
   return parser.finish();
 }

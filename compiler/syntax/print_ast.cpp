@@ -21,7 +21,8 @@ void print_device(const FamilyInfo &family, const Operand &operand, llvm::raw_os
   print_number(operand.value, device.radix, out);
 }
 
-void print_operand(const FamilyInfo &family, const Operand &operand, const SourceSet &sources, llvm::raw_ostream &out) {
+void print_operand(const ListProgram &program, const Operand &operand, const SourceSet &sources, llvm::raw_ostream &out) {
+  const FamilyInfo &family = *program.family;
   switch (operand.kind) {
   case OperandKind::Device:
     print_device(family, operand, out << "device ");
@@ -40,6 +41,8 @@ void print_operand(const FamilyInfo &family, const Operand &operand, const Sourc
     print_number(operand.value, 16, out << "hexadecimal ");
     break;
   case OperandKind::Text:
+    out << "text " << program.texts[static_cast<std::size_t>(operand.value)];
+    break;
   case OperandKind::Invalid:
     out << "unreadable " << sources.text(operand.range);
     break;
@@ -60,7 +63,7 @@ void print_ast(const ListProgram &program, const SourceSet &sources, llvm::raw_o
     else
       out << instruction.candidates.front()->spelling;
     for (const Operand &operand : program.operands_of(instruction))
-      print_operand(*program.family, operand, sources, out << " | ");
+      print_operand(program, operand, sources, out << " | ");
     out << '\n';
   }
 }

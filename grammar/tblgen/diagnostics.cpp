@@ -88,7 +88,8 @@ void print_page(const Record &r, raw_ostream &out) {
       << r.getValueAsString("severity").lower() << ": `" << r.getValueAsString("message") << "`\n\n";
   if (StringRef explanation = r.getValueAsString("explanation").trim(); !explanation.empty())
     out << explanation << "\n\n";
-  print_list(out, "The list that gets it:", r.getValueAsString("wrong"));
+  StringRef family = r.getValueAsString("family");
+  print_list(out, ("The list that gets it" + (family.empty() ? "" : " (" + family + ")") + ":").str(), r.getValueAsString("wrong"));
   print_list(out, "Put right:", r.getValueAsString("right"));
   for (const Record *reference : r.getValueAsListOfDefs("references")) {
     out << "* manual: " << reference->getValueAsString("family") << ", section " << reference->getValueAsString("section");
@@ -119,7 +120,7 @@ void emit_diagnostics(llvm::RecordKeeper &records, raw_ostream &out) {
     out << "    {" << quoted(r->getValueAsString("id")) << ", Severity::" << r->getValueAsString("severity");
     for (StringRef field : {"message", "explanation", "wrong", "right"})
       out << ", " << quoted(r->getValueAsString(field));
-    out << ", " << reference << "},\n";
+    out << ", " << reference << ", " << quoted(r->getValueAsString("family")) << "},\n";
   }
   out << "};\n\n}  // namespace ladderc\n";
 }
