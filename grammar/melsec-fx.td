@@ -21,7 +21,7 @@ def MelsecFx : Family<"melsec-fx", "MELSEC FX (FX3U)", "TP03"> {
   let maxLoops = 16;
   let maxCalls = 16;
   let maxMerge = 10;
-  let warnedMerge = 8;
+  let warnedMerge = 9;
   let endLabel = 63;
   let hasIndexRegisters = 1;
   let errorsStop = 0;

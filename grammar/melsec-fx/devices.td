@@ -8,6 +8,7 @@ let section = "2.2-2.3" in {
 def DevX : Device<"X", "input", Bit, 8, 256> {
   let externalInput = 1;
   let beginHook = "watch_inputs";
+  let watched = 8;
   let behaviour = "Image of the input terminals, read before the scan (and by REF) and constant within it. No coil may drive it. "
                   "X0-X5 also feed high-speed counters, SPD and input interrupts.";
 }
