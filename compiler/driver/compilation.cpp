@@ -105,10 +105,12 @@ bool Compilation::check_text(std::string name, std::string utf8, const Parameter
 }
 
 bool Compilation::report(llvm::raw_ostream &out) {
+  const FamilyInfo *family = find_family(options.family);
+  const llvm::StringRef cited = family ? cited_family(*family) : llvm::StringRef(options.family);
   if (options.diagnostics == "json")
-    print_json(*diagnostics, options.family, out);
+    print_json(*diagnostics, cited, out);
   else
-    print_text(*diagnostics, options.family, out);
+    print_text(*diagnostics, cited, out);
   return program.ok && diagnostics->ok();
 }
 

@@ -37,9 +37,10 @@ struct Candidate {
 void check_messages(const Scenario &s, Compilation &c, ScenarioResult &result) {
   llvm::ArrayRef<Diagnostic> reported = c.diagnostics->sorted();
   auto line = [&](const Diagnostic &d) { return c.sources.position(d.range).line; };
+  const FamilyInfo *family = find_family(s.family);
+  const llvm::StringRef cited = family ? cited_family(*family) : llvm::StringRef(s.family);
   auto has_code = [&](const Diagnostic &d, const std::string &code) {
-    return llvm::any_of(info(d.id).references,
-                        [&](const DiagReference &r) { return r.family == s.family && r.code.contains(code); });
+    return llvm::any_of(info(d.id).references, [&](const DiagReference &r) { return r.family == cited && r.code.contains(code); });
   };
   for (const ExpectedDiagnostic &e : s.diagnostics) {
     const Severity severity = e.severity == "warning" ? Severity::Warning : Severity::Error;
