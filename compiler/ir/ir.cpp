@@ -57,6 +57,7 @@ Extent extent(const Module &module, const Place &place) {
   case PlaceKind::Hex:
     e.none = true;
     return e;
+  case PlaceKind::Text:
   case PlaceKind::Label:
     e.none = true;
     return e;
