@@ -105,12 +105,7 @@ def LongCamCounter : LongCounterOperand<"S2"> {
   let direction = "In";
   let indexable = 1;
 }
-def StageCounter : CounterOperand<"S2"> {
-  let direction = "InOut";
-  let indexable = 1;
-  let last = 198;
-  let count = 2;
-}
+class CounterPair<string n> : BlockChanged<n, 2, CounterClass> { let last = 198; }
 def CamCount : Constant<"n", 1, 64>;
 let category = "other" in {
 let section = "F62", title = "Absolute cam", maxUses = 1,
@@ -124,7 +119,7 @@ let section = "F62", title = "Absolute cam", maxUses = 1,
 defm ABSD : PlainBoth<"ABSD", 62, MayFail<"absd", [0, 1, 2, 3], [2]>,
                       [CamTable<OpWordBlock>, CamCounter, BitsOut<"D">, CamCount],
                       [CamTable<OpDWordBlock>, LongCamCounter, BitsOut<"D">, CamCount], 9, 17, "D300 C0 M0 K4", "D300 C200 M0 K4">;
-let section = "F63", title = "Incremental cam",
+let section = "F63", title = "Incremental cam", images = ["C"],
     errors = ["6706: n numbers from S1, or n bits from D, go beyond the last one",
               "6706: digits in S1 are not K4 or do not begin at a multiple of 16"],
     description = "Runs through n stages, one of the n bits from D on being ON in each. S2 is a counter that the program drives; "
@@ -132,8 +127,8 @@ let section = "F63", title = "Incremental cam",
                   "is reset and the next stage begins; behind the last one the first, and M8029 is ON for that execution, "
                   "otherwise OFF. When the condition goes OFF, both counters are cleared and all n bits go OFF; when it comes ON, "
                   "the first stage begins. Where RUN finds the condition ON, counters that are latched go on." in
-defm INCD_cam : Plain<"INCD", 63, Keeps<"incd", [0, 1, 2, 3], [1, 2]>, [CamTable<OpWordBlock>, StageCounter, BitsOut<"D">, CamCount], 9,
-                  "D300 C0 M0 K4">;
+defm INCD_cam : Plain<"INCD", 63, Keeps<"incd", [0, 1, 2, 3], [1, 2]>,
+                      [CamTable<OpWordBlock>, CounterPair<"S2">, BitsOut<"D">, CamCount], 9, "D300 C0 M0 K4">;
 }
 
 // ---------------------------------------------------------------------------------------------- F66 ALT, F67 RAMP, F68 ROTC

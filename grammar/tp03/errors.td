@@ -31,8 +31,8 @@ def : Stop<6105, "watchdog", "A scan took longer than D8000 tells, or the progra
 def : Stop<6106, "RAM address line error", "The memory cannot be addressed.", ReplaceUnit>;
 
 // ------------------------------------------------------------------------- M8063: communication
-def : Stop<6301, "data link error", "DTLK could not talk to a station.", "Look at wiring, station numbers and timeouts.">;
-def : Stop<6302, "remote I/O error", "RMIO could not talk to a station.", "Look at wiring, station numbers and timeouts.">;
+def : GoesOn<6301, "data link error", "DTLK could not talk to a station.", "Look at wiring, station numbers and timeouts.">;
+def : GoesOn<6302, "remote I/O error", "RMIO could not talk to a station.", "Look at wiring, station numbers and timeouts.">;
 
 // ------------------------------------------------------------------------- M8064: parameters
 def : Stop<6401, "program and parameters differ", "The parameters belong to another program.", "Write both again.">;

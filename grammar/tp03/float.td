@@ -138,7 +138,7 @@ let section = "F88", category = "pid", title = "PID control loop",
     errors = ["6730: Ts is below 1", "6732: the filter is not 0-99", "6733: Kp is below 1", "6734: TI is negative",
               "6735: aD is not 0-100", "6736: TD is negative",
               "6706: a limit of an alarm that is on is negative, or the upper limit lies below the lower one",
-              "6740: Ts is not above the scan time; every scan calculates, with the scan time as Ts",
+              "6740: Ts is not above the scan time, outside of interrupt routines; every scan calculates, with the scan time as Ts",
               "6742-6747: change of the input, deviation, integral part, derivative part because of its gain, derivative part, "
               "output: limited to 16 bits; goes on",
               "6750: tuning ended, nothing to learn or parameters out of range",

@@ -3,6 +3,7 @@
 // Fill and block operands that the common roles do not have: index registers can be filled, pairs of counters too.
 def FilledBlocks : Classes<[DevT, DevC, DevD, DevDS, DevV, DevZ], [], [DevY, DevM, DevMS, DevS]>;
 def FilledPairBlocks : Classes<[DevT, DevC, DevCL, DevD, DevDS], [], [DevY, DevM, DevMS, DevS]>;
+def IndexPairs : Classes<[DevZ]>;
 def InputDigits : Classes<[], [], [DevX]>;
 def OutputDigits : Classes<[], [], [DevY]>;
 def RelayDigits : Classes<[], [], [DevM, DevMS]>;
@@ -46,13 +47,18 @@ defm BMOV_X : Pulsed<"BMOV", 15, MayFail<"bmov_inputs", [0, 1, 2], [1]>,
 }
 
 let section = "F16", title = "Fill", errors = ["6706: n is not in 1 to 512"],
-    description = "Writes S to each of n words from D onwards, DFMOV to n pairs. Digits as D stand for one word after the other "
-                  "without a gap and take the low digits of S. What lies behind the last number of the device is left out. With "
-                  "the condition OFF, and on an error, nothing is written." in
+    description = "Writes S to each of n words from D onwards, DFMOV to n pairs, those of Z0 being (V0, Z0), (V1, Z1), ... "
+                  "Digits as D stand for one word after the other without a gap and take the low digits of S. What lies behind "
+                  "the last number of the device is left out. With the condition OFF, and on an error, nothing is written." in {
 defm FMOV : PulsedBoth<"FMOV", 16, MayFail<"fmov", [0, 1, 2], [1]>,
                        [Source<"S", OpWord>, BlockOut<"D", 0, FilledBlocks>, CheckedConstant<"n">],
                        [Source<"S", OpDWord>, BlockOut<"D", 0, FilledPairBlocks, OpDWordBlock>, CheckedConstant<"n">], 7, 13,
                        "K0 D10 K5", "K100000 D10 K5">;
+// The high words lie in V.
+let images = ["V"] in
+defm FMOV_Z : PulsedWide<"FMOV", 16, MayFail<"dfmov_indexes", [0, 1, 2], [1]>,
+                         [Source<"S", OpDWord>, BlockOut<"D", 0, IndexPairs>, CheckedConstant<"n">], 13, "K0 Z0 K16">;
+}
 
 let section = "F17", title = "Exchange", errors = ["6705: M8160 is ON and D1 and D2 are different"],
     description = "D1 and D2 change places, in every scan while the condition is ON; XCHP does it once. With M8160 ON, D1 and D2 "

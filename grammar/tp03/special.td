@@ -91,7 +91,7 @@ def : UserRelay<8059, "inhibit I010-I060", "ON: DHSCS interrupts nothing.", 1, "
 // -------------------------------------------------------------------------------- relays: errors
 def : SystemRelay<8060, "communication card", "ON with a code in D8060; the CPU goes on.", 0, "7.4">;
 def : SystemRelay<8061, "hardware error", "ON with a code in D8061; the CPU stops. Kept for the watchdog (6105).", 1, "7.4">;
-def : SystemRelay<8063, "communication error", "ON with a code in D8063.", 0, "7.4">;
+def : SystemRelay<8063, "communication error", "ON with a code in D8063 while a link is in error; the CPU goes on.", 1, "7.4">;
 def : SystemRelay<8064, "parameter error",
       "ON with a code in D8064; the CPU does not run. ladderc reports these errors when it compiles.", 0, "7.4">;
 def : SystemRelay<8065, "syntax error", "ON with a code in D8065, likewise.", 0, "7.4">;
@@ -139,18 +139,18 @@ def : SystemRelay<8321, "expansion port: waits to send", "As M8121.", 1, "F80">;
 def : UserRelay<8322, "expansion port: request to send", "As M8122.", 1, "F80">;
 def : UserRelay<8323, "expansion port: has received", "As M8123.", 1, "F80">;
 def : SystemRelay<8329, "expansion port: timeout", "As M8129.", 1, "F80">;
-def : SystemRelay<8335, "RMIO communicates", "ON while another station is talked to.", 0, "F191">;
-def : SystemRelay<8336, "RMIO: error of the master", "Seen by a slave.", 0, "F191">;
+def : SystemRelay<8335, "RMIO communicates", "ON while another station is talked to.", 1, "F191">;
+def : SystemRelay<8336, "RMIO: error of the master", "Seen by a slave.", 1, "F191">;
 foreach slave = [1, 2, 3, 4] in
-def : SystemRelay<!add(8336, slave), "RMIO: error of slave " # slave, "ON after an error in talking to the slave.", 0, "F191">;
-def : SystemRelay<8341, "RMIO on the expansion port", "ON while RMIO runs there.", 0, "F191">;
-def : SystemRelay<8342, "RMIO on the built-in port", "ON while RMIO runs there.", 0, "F191">;
-def : SystemRelay<8400, "DTLK: error of the master", "Seen by a slave.", 0, "F190">;
+def : SystemRelay<!add(8336, slave), "RMIO: error of slave " # slave, "ON after an error in talking to the slave.", 1, "F191">;
+def : SystemRelay<8341, "RMIO on the expansion port", "ON while RMIO runs there.", 1, "F191">;
+def : SystemRelay<8342, "RMIO on the built-in port", "ON while RMIO runs there.", 1, "F191">;
+def : SystemRelay<8400, "DTLK: error of the master", "Seen by a slave.", 1, "F190">;
 foreach slave = !range(1, 16) in
-def : SystemRelay<!add(8400, slave), "DTLK: error of slave " # slave, "ON after an error in talking to the slave.", 0, "F190">;
-def : SystemRelay<8416, "DTLK communicates", "ON while another station is talked to.", 0, "F190">;
-def : SystemRelay<8417, "DTLK on the expansion port", "ON while DTLK runs there.", 0, "F190">;
-def : SystemRelay<8418, "DTLK on the built-in port", "ON while DTLK runs there.", 0, "F190">;
+def : SystemRelay<!add(8400, slave), "DTLK: error of slave " # slave, "ON after an error in talking to the slave.", 1, "F190">;
+def : SystemRelay<8416, "DTLK communicates", "ON while another station is talked to.", 1, "F190">;
+def : SystemRelay<8417, "DTLK on the expansion port", "ON while DTLK runs there.", 1, "F190">;
+def : SystemRelay<8418, "DTLK on the built-in port", "ON while DTLK runs there.", 1, "F190">;
 
 // -------------------------------------------------------------------------------- registers: time
 def : UserRegister<8000, "watchdog",
@@ -181,7 +181,7 @@ def : SystemRegister<8049, "lowest annunciator",
 // -------------------------------------------------------------------------------- registers: error codes
 def : SystemRegister<8060, "code of M8060", "See the error codes.", 0, "7.4">;
 def : SystemRegister<8061, "code of M8061", "See the error codes.", 1, "7.4">;
-def : SystemRegister<8063, "code of M8063", "See the error codes.", 0, "7.4">;
+def : SystemRegister<8063, "code of M8063", "See the error codes.", 1, "7.4">;
 def : SystemRegister<8064, "code of M8064", "See the error codes.", 0, "7.4">;
 def : SystemRegister<8065, "code of M8065", "See the error codes.", 0, "7.4">;
 def : SystemRegister<8066, "code of M8066", "See the error codes.", 0, "7.4">;
@@ -210,12 +210,12 @@ def : UserRegister<8147, "highest speed, high word", "Hz, 10-100000; of DRVI and
 def : UserRegister<8148, "acceleration", "ms from standstill to the highest speed, 50-5000.", 1, "F158">;
 
 // -------------------------------------------------------------------------------- registers: links, displays
-def : SystemRegister<8173, "DTLK: own station", "As it works.", 0, "F190">;
-def : SystemRegister<8174, "DTLK: slaves", "As it works.", 0, "F190">;
-def : SystemRegister<8175, "DTLK: refresh range", "As it works; unused by DTLK2.", 0, "F190">;
-def : UserRegister<8176, "DTLK: set the own station", "0: master. 1-15: slave.", 0, "F190">;
+def : SystemRegister<8173, "DTLK: own station", "As it works.", 1, "F190">;
+def : SystemRegister<8174, "DTLK: slaves", "As it works.", 1, "F190">;
+def : SystemRegister<8175, "DTLK: refresh range", "As it works; unused by DTLK2.", 1, "F190">;
+def : UserRegister<8176, "DTLK: set the own station", "0: master. 1-15: slave.", 1, "F190">;
 def : UserRegister<8177, "DTLK: set the number of slaves", "1-15; 7 at power-on. Of the master.", 1, "F190">;
-def : UserRegister<8178, "DTLK: set the refresh range", "0-2. Of the master; unused by DTLK2.", 0, "F190">;
+def : UserRegister<8178, "DTLK: set the refresh range", "0-2. Of the master; unused by DTLK2.", 1, "F190">;
 def : UserRegister<8179, "DTLK: retries", "0-10; 3 at power-on. Of the master.", 1, "F190">;
 def : UserRegister<8180, "DTLK: timeout", "Units of 10 ms, 5-255; 5 at power-on.", 1, "F190">;
 def : SystemRegister<8280, "TEXT: file of line 1", "Written by TEXT.", 1, "F192">;
@@ -230,27 +230,27 @@ def : SystemRegister<8323, "expansion port: bytes received", "As D8123.", 1, "F8
 def : UserRegister<8324, "expansion port: header", "As D8124.", 1, "F80">;
 def : UserRegister<8325, "expansion port: terminator", "As D8125.", 1, "F80">;
 def : UserRegister<8329, "expansion port: timeout", "As D8129.", 1, "F80">;
-def : SystemRegister<8331, "RMIO: network scan", "Time of the last one.", 0, "F191">;
-def : SystemRegister<8332, "RMIO: longest network scan", "Time of the longest one.", 0, "F191">;
-def : SystemRegister<8333, "RMIO: errors of the master", "Counted.", 0, "F191">;
+def : SystemRegister<8331, "RMIO: network scan", "Time of the last one.", 1, "F191">;
+def : SystemRegister<8332, "RMIO: longest network scan", "Time of the longest one.", 1, "F191">;
+def : SystemRegister<8333, "RMIO: errors of the master", "Counted.", 1, "F191">;
 foreach slave = [1, 2, 3, 4] in
-def : SystemRegister<!add(8333, slave), "RMIO: errors of slave " # slave, "Counted.", 0, "F191">;
-def : SystemRegister<8338, "RMIO: error code of the master", "0: none.", 0, "F191">;
+def : SystemRegister<!add(8333, slave), "RMIO: errors of slave " # slave, "Counted.", 1, "F191">;
+def : SystemRegister<8338, "RMIO: error code of the master", "0: none.", 1, "F191">;
 foreach slave = [1, 2, 3, 4] in
-def : SystemRegister<!add(8338, slave), "RMIO: error code of slave " # slave, "0: none.", 0, "F191">;
-def : SystemRegister<8373, "RMIO: own station", "As it works.", 0, "F191">;
-def : SystemRegister<8374, "RMIO: slaves", "As it works.", 0, "F191">;
-def : UserRegister<8376, "RMIO: set the own station", "0: master. 1-4: slave.", 0, "F191">;
+def : SystemRegister<!add(8338, slave), "RMIO: error code of slave " # slave, "0: none.", 1, "F191">;
+def : SystemRegister<8373, "RMIO: own station", "As it works.", 1, "F191">;
+def : SystemRegister<8374, "RMIO: slaves", "As it works.", 1, "F191">;
+def : UserRegister<8376, "RMIO: set the own station", "0: master. 1-4: slave.", 1, "F191">;
 def : UserRegister<8377, "RMIO: set the number of slaves", "1-4; 4 at power-on.", 1, "F191">;
 def : UserRegister<8379, "RMIO: retries", "3 at power-on.", 1, "F191">;
 def : UserRegister<8380, "RMIO: timeout", "Units of 10 ms; 5 at power-on.", 1, "F191">;
-def : SystemRegister<8401, "DTLK: network scan", "Time of the last one.", 0, "F190">;
-def : SystemRegister<8402, "DTLK: longest network scan", "Time of the longest one.", 0, "F190">;
-def : SystemRegister<8403, "DTLK: errors of the master", "Counted.", 0, "F190">;
+def : SystemRegister<8401, "DTLK: network scan", "Time of the last one.", 1, "F190">;
+def : SystemRegister<8402, "DTLK: longest network scan", "Time of the longest one.", 1, "F190">;
+def : SystemRegister<8403, "DTLK: errors of the master", "Counted.", 1, "F190">;
 foreach slave = !range(1, 16) in
-def : SystemRegister<!add(8403, slave), "DTLK: errors of slave " # slave, "Counted.", 0, "F190">;
-def : SystemRegister<8419, "DTLK: error code of the master", "0: none.", 0, "F190">;
+def : SystemRegister<!add(8403, slave), "DTLK: errors of slave " # slave, "Counted.", 1, "F190">;
+def : SystemRegister<8419, "DTLK: error code of the master", "0: none.", 1, "F190">;
 foreach slave = !range(1, 16) in
-def : SystemRegister<!add(8419, slave), "DTLK: error code of slave " # slave, "0: none.", 0, "F190">;
+def : SystemRegister<!add(8419, slave), "DTLK: error code of slave " # slave, "0: none.", 1, "F190">;
 def : SystemRegister<8510, "measured value 1", "Analogue input or potentiometer of the CPU.", 0, "F45">;
 def : SystemRegister<8511, "measured value 2", "Analogue input or potentiometer of the CPU.", 0, "F45">;

@@ -33,7 +33,7 @@ void Instance::pulse(const DeviceRef &ref, std::uint64_t count) {
   if (!symbols_->devices[ref.device].input || ref.format != Format::Bit)
     throw DeviceError("only an input terminal gets pulses");
   if (symbols_->input == nullptr)
-    throw DeviceError("this controller looks at its inputs in scans only");
+    throw DeviceError("the program looks at its inputs in scans only");
   const bool before = get(ref).bits != 0;
   for (; count > 0; --count) {
     symbols_->input(object(), ref.number, !before);
@@ -43,7 +43,7 @@ void Instance::pulse(const DeviceRef &ref, std::uint64_t count) {
 
 void Instance::interrupt(unsigned pointer) {
   if (symbols_->interrupt == nullptr)
-    throw DeviceError("this controller has no interrupts");
+    throw DeviceError("the program has no interrupt routines");
   symbols_->interrupt(object(), pointer);
 }
 

@@ -76,7 +76,7 @@ struct ProgramSymbols {
   std::uint32_t watchdog_us;        ///< from the parameters, 0: not watched
   void (*watchdog)(void *program);  ///< the host measured a scan longer than watchdog_us
 
-  // What only some controllers have; null in the others.
+  // What only some controllers have, and the last two only where the program uses it; null otherwise.
   void (*connect)(void *program, Io *io) = nullptr;  ///< serial ports and the like; stays connected over power_on; null disconnects
   /// An input terminal changed between scans: high-speed counters and input interrupts act at once. `number` is that of the device.
   void (*input)(void *program, unsigned number, bool state) = nullptr;

@@ -14,6 +14,7 @@
 #include "ladder/tp03/high_speed.h"
 #include "ladder/tp03/interrupts.h"
 #include "ladder/tp03/parameters.h"
+#include "ladder/tp03/ports.h"
 #include "ladder/tp03/pulses.h"
 #include "ladder/tp03/states.h"
 #include "ladder/tp03/system.h"

@@ -119,7 +119,7 @@ TEST(Scenario, MistakesEndItWithAnErrorAndKeepEarlierFailures) {
   EXPECT_EQ(error(R"({"steps": [{"set": {"D0": "12"}}]})"), "step 0: D0: '12' is no bit pattern such as 0x12AB");
   EXPECT_EQ(error(R"({"steps": [{"scans": -1}]})"), "step 0: 'scans' is a whole number from 0 on, not -1");
   EXPECT_EQ(error(R"({"steps": [{"mode": "pause"}]})"), "step 0: 'mode' is \"run\" or \"stop\", not \"pause\"");
-  EXPECT_EQ(error(R"({"steps": [{"interrupts": ["I0"]}]})"), "step 0: this controller has no interrupts");
+  EXPECT_EQ(error(R"({"steps": [{"interrupts": ["I0"]}]})"), "step 0: the program has no interrupt routines");
   EXPECT_EQ(error(R"({"steps": [7]})"), "step 0: 7 is no object");
   EXPECT_EQ(error(R"({"calendar": "yesterday", "steps": []})"),
             "step 0: 'yesterday' is no date and time from 1980 to 2079 such as 1998-11-30T11:50:20");
@@ -190,7 +190,7 @@ TEST(Scenario, MistakesInConnectionsAreSaid) {
   EXPECT_EQ(of("", R"({"interrupts": ["X1"]})"), "step 0: \"X1\" is no interrupt pointer such as \"I001\"");
   EXPECT_EQ(of("", R"({"pulses": {"X0": -1}})"), "step 0: X0: -1 is no number of pulses from 0 to 10000000");
   EXPECT_EQ(of("", R"({"pulses": {"Y0": 1}})"), "step 0: Y0: only an input terminal gets pulses");
-  EXPECT_EQ(error(R"({"steps": [{"pulses": {"X0": 1}}]})"), "step 0: X0: this controller looks at its inputs in scans only");
+  EXPECT_EQ(error(R"({"steps": [{"pulses": {"X0": 1}}]})"), "step 0: X0: the program looks at its inputs in scans only");
   EXPECT_EQ(of("", R"({"serial_sent": [{"rx_hex": "41"}]})"), "step 0: unknown key 'rx_hex'");
 }
 

@@ -147,7 +147,7 @@ struct Stages {
 
   Fault scan(bit condition, word n = 3) {
     sys.scan();
-    return incd.run(condition, d.block(0), c[1], m.run(4), n, sys);
+    return incd.run(condition, c, d.block(0), c.block(1), m.run(4), n, sys);
   }
   void expect(unsigned stage) {
     for (unsigned i = 0; i < 3; ++i)
@@ -214,6 +214,7 @@ TEST(Tp03Incd, RefusesWhatDoesNotFit) {
   EXPECT_EQ(t.scan(on, 0), Fault::Range);
   EXPECT_EQ(t.m[4], on);
   t.scan(off, 9);
+  EXPECT_EQ(t.incd.run(on, t.c, t.d.block(0), t.c.block(3), t.m.run(4), 3, t.sys), Fault::Range) << "one counter";
   t.c[2].value = 77;
   EXPECT_EQ(t.scan(on), Fault::None);
   t.expect(1);

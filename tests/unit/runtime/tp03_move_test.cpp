@@ -201,6 +201,19 @@ TEST(Tp03Move, FillStopsAtTheEnd) {
   EXPECT_EQ(C[3].value, -100000);
 }
 
+TEST(Tp03Move, FillsIndexRegisterPairs) {
+  FakeSystem sys;
+  Words<16> V, Z;
+  ASSERT_EQ(tp03::dfmov_indexes(V, 70000, Z.block(14), 3, sys), Fault::None);
+  EXPECT_EQ(V[13], 0);
+  EXPECT_EQ(Z[14], 4464);
+  EXPECT_EQ(V[14], 1);
+  EXPECT_EQ(Z[15], 4464);
+  EXPECT_EQ(V[15], 1);
+  EXPECT_EQ(tp03::dfmov_indexes(V, 5, Z.block(0), 513, sys), Fault::Range);
+  EXPECT_EQ(Z[0], 0);
+}
+
 TEST(Tp03Move, Bytes) {
   EXPECT_EQ(tp03::swap(0x1234), 0x3412);
   EXPECT_EQ(tp03::swap(to_word(0x80FF)), to_word(0xFF80));

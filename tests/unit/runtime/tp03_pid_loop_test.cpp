@@ -21,6 +21,7 @@ struct FakeSystem {
   std::uint32_t now_us() const { return now; }
   static std::uint32_t elapsed_us() { return 100'000; }
   static bit first_scan() { return off; }
+  static bool routine_running() { return false; }
 };
 
 /// T dy/dt = gain u(t - dead) - y

@@ -17,9 +17,11 @@ namespace {
 struct FakeSystem {
   std::uint32_t now = 0, scan = 100'000;
   bit first{};
+  bool routine = false;
   std::uint32_t now_us() const { return now; }
   std::uint32_t elapsed_us() const { return scan; }
   bit first_scan() const { return first; }
+  bool routine_running() const { return routine; }
 };
 
 /// PID D0 D1 D100 D150 with the parameters in the order of their registers; reverse action, Ts 1 s, nothing but Kp 100 %.
@@ -196,6 +198,21 @@ TEST(Tp03Pid, SamplingWithinAScanTakesTheScanTime) {
   loop.sys.now += loop.sys.scan;
   EXPECT_EQ(loop.run(), Fault::None);
   EXPECT_EQ(loop.D[150], 30);
+}
+
+TEST(Tp03Pid, ATimerInterruptMakesUpForALongScan) {
+  Loop loop;
+  loop.set({10, 1, 0, 100, 1, 0, 0});  // TI 0.1 s
+  loop.D[0] = 100;
+  loop.sys.routine = true;
+  loop.run();
+  loop.sys.now += loop.sys.scan;
+  for (int served = 1; served <= 10; ++served) {
+    EXPECT_EQ(loop.run(), Fault::None) << "the scan time does not matter";
+    EXPECT_EQ(loop.D[150], 10 * served);
+  }
+  loop.run();
+  EXPECT_EQ(loop.D[150], 100) << "all samples of this scan are made";
 }
 
 TEST(Tp03Pid, ParametersOutOfRangeStopIt) {

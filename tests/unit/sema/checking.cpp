@@ -23,21 +23,22 @@ std::vector<std::string> Checked::texts() const {
   return result;
 }
 
-std::unique_ptr<Checked> check_text(std::string list, llvm::StringRef json) {
+std::unique_ptr<Checked> check_text(std::string list, llvm::StringRef json, Controller controller) {
   auto checked = std::make_unique<Checked>();
-  const FamilyInfo &family = *find_family("melsec-qs");
+  const FamilyInfo &family = *find_family(controller.family);
+  const llvm::StringRef model = controller.model.empty() ? family.models.front() : controller.model;
   unsigned file = checked->sources.add("test.il", std::move(list));
   checked->diagnostics = std::make_unique<Diagnostics>(checked->sources);
-  Parameters parameters = default_parameters(family, family.models.front());
+  Parameters parameters = default_parameters(family, model);
   if (auto problem = read_parameters(json, family, parameters))
     ADD_FAILURE() << *problem;
   ListProgram program = parse_list(family, checked->sources, file, ListFormat::Auto, *checked->diagnostics);
-  checked->program = check(std::move(program), family.models.front(), std::move(parameters), *checked->diagnostics);
+  checked->program = check(std::move(program), model, std::move(parameters), *checked->diagnostics);
   return checked;
 }
 
-std::vector<std::string> messages_of(std::string lines, llvm::StringRef parameters) {
-  return check_text(std::move(lines) + "\nEND\n", parameters)->messages();
+std::vector<std::string> messages_of(std::string lines, llvm::StringRef parameters, Controller controller) {
+  return check_text(std::move(lines) + "\nEND\n", parameters, controller)->messages();
 }
 
 }  // namespace ladderc::test

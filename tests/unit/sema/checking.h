@@ -23,11 +23,17 @@ struct Checked {
   std::vector<std::string> texts() const;
 };
 
-/// `parameters` is JSON; the family is melsec-qs.
-std::unique_ptr<Checked> check_text(std::string list, llvm::StringRef parameters = "{}");
+/// What a test is about, where it is not the usual controller.
+struct Controller {
+  llvm::StringRef family = "melsec-qs";
+  llvm::StringRef model = {};  ///< empty: the family's first
+};
+
+/// `parameters` is JSON.
+std::unique_ptr<Checked> check_text(std::string list, llvm::StringRef parameters = "{}", Controller controller = {});
 
 /// The messages of the lines followed by END.
-std::vector<std::string> messages_of(std::string lines, llvm::StringRef parameters = "{}");
+std::vector<std::string> messages_of(std::string lines, llvm::StringRef parameters = "{}", Controller controller = {});
 
 inline auto no_messages() {
   return testing::IsEmpty();

@@ -140,6 +140,7 @@ std::string run_on_stacks(const CheckedProgram &program) {
         return "output";
       break;
     case Placement::Alone:
+    case Placement::Label:
     case Placement::Anywhere:
     case Placement::BetweenRungs:
       break;

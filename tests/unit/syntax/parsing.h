@@ -1,4 +1,4 @@
-// Parses a list of the QS in a test.
+// Parses a list in a test, one of the QS unless another family is named.
 #pragma once
 
 #include "syntax/parser.h"
@@ -10,15 +10,18 @@ namespace ladderc {
 inline const FamilyInfo &qs() {
   return *find_family("melsec-qs");
 }
+inline const FamilyInfo &tp03() {
+  return *find_family("tp03");
+}
 
 struct Parsed {
   SourceSet sources;
   Diagnostics diagnostics{sources};
   ListProgram program;
 
-  explicit Parsed(std::string list, ListFormat format = ListFormat::Auto) {
+  explicit Parsed(std::string list, ListFormat format = ListFormat::Auto, const FamilyInfo &family = qs()) {
     const unsigned file = sources.add("a.il", std::move(list));
-    program = parse_list(qs(), sources, file, format, diagnostics);
+    program = parse_list(family, sources, file, format, diagnostics);
   }
 
   std::string ast() const {
@@ -41,7 +44,7 @@ struct Parsed {
   std::string rendered() {
     std::string text;
     llvm::raw_string_ostream out(text);
-    print_text(diagnostics, "melsec-qs", out);
+    print_text(diagnostics, program.family->id, out);
     return text;
   }
 };

@@ -9,7 +9,8 @@ namespace {
 class MessageRecord : public testing::TestWithParam<DiagId> {};
 
 bool reports(llvm::StringRef list, DiagId id) {
-  Parsed parsed(list.str());
+  const llvm::StringRef family = info(id).family;
+  Parsed parsed(list.str(), ListFormat::Auto, family.empty() ? qs() : *find_family(family));
   for (const Diagnostic &diagnostic : parsed.diagnostics.sorted()) {
     EXPECT_FALSE(llvm::StringRef(diagnostic.message).contains('{')) << diagnostic.message;
     if (diagnostic.id == id)
@@ -27,9 +28,9 @@ TEST_P(MessageRecord, ItsExamplesAreTrue) {
 INSTANTIATE_TEST_SUITE_P(OfReadersAndParser, MessageRecord,
                          testing::Values(DiagId::DamagedText, DiagId::UnclosedQuote, DiagId::UnknownDirective, DiagId::UnknownAllow,
                                          DiagId::AllowNotWarning, DiagId::UnknownMnemonic, DiagId::OperandUnreadable,
-                                         DiagId::DeviceNumberMissing, DiagId::DigitNotInRadix, DiagId::ConstantSyntax,
-                                         DiagId::NumberTooLarge, DiagId::BitNumber, DiagId::UnsupportedConstant,
-                                         DiagId::StrayOperand),
+                                         DiagId::DeviceNumberMissing, DiagId::DigitNotInRadix, DiagId::DigitCountIndexed,
+                                         DiagId::ConstantSyntax, DiagId::NumberTooLarge, DiagId::BitNumber,
+                                         DiagId::UnsupportedConstant, DiagId::StrayOperand),
                          [](const testing::TestParamInfo<DiagId> &id) {
                            std::string name = ladderc::info(id.param).id.str();
                            for (char &c : name)

@@ -4,6 +4,9 @@
 #include "gmock/gmock.h"
 #include "gtest/gtest.h"
 
+#include <algorithm>
+#include <string>
+
 using namespace ladderc;
 
 namespace {
@@ -25,10 +28,26 @@ TEST(Lookup, FindsAFamilyByItsId) {
   EXPECT_EQ(find_family(""), nullptr);
 }
 
-TEST(Lookup, EveryDeviceIsFoundByItsPrefix) {
+TEST(Lookup, EveryDeviceIsFoundByItsPrefixAndNumber) {
   for (const FamilyInfo &family : families())
-    for (std::size_t id = 0; id < family.devices.size(); ++id)
-      EXPECT_EQ(find_device(family, family.devices[id].prefix), id);
+    for (std::size_t id = 0; id < family.devices.size(); ++id) {
+      const DeviceInfo &device = family.devices[id];
+      EXPECT_EQ(find_device(family, device.prefix, device.first), id);
+      EXPECT_EQ(find_device(family, device.prefix, device.first + std::max(device.points, 1u) - 1), id);
+      EXPECT_LE(family.devices[find_device(family, device.prefix)].first, device.first);
+      EXPECT_EQ(family.devices[find_device(family, device.prefix)].prefix, device.prefix);
+    }
+}
+
+TEST(Lookup, NumbersBelongToTheClassThatBeginsBeforeThem) {
+  const FamilyInfo &tp03 = *find_family("tp03");
+  auto first = [&](llvm::StringRef prefix, std::uint64_t number) { return tp03.devices[find_device(tp03, prefix, number)].first; };
+  EXPECT_EQ(first("M", 7679), 0u);
+  EXPECT_EQ(first("M", 7999), 0u);
+  EXPECT_EQ(first("M", 8000), 8000u);
+  EXPECT_EQ(first("M", 99999), 8000u);
+  EXPECT_EQ(first("C", 200), 200u);
+  EXPECT_EQ(find_device(tp03, "Q", 0), kNoDevice);
 }
 
 TEST(Lookup, AnUnknownPrefixIsNoDevice) {
@@ -86,6 +105,54 @@ TEST(Lookup, PointsComeFromTheModelWhereItDiffers) {
   device.model_points = by_model;
   EXPECT_EQ(points_of(device, "SMALL"), 16u);
   EXPECT_EQ(points_of(device, "LARGE"), 64u);
+}
+
+std::string text(const llvm::SmallVector<ModelNumbers, 4> &runs) {
+  std::string result;
+  for (const ModelNumbers &run : runs)
+    result += std::to_string(run.first) + "-" + std::to_string(run.last) + " ";
+  return result;
+}
+
+TEST(Lookup, NumbersThatExist) {
+  const FamilyInfo &tp03 = *find_family("tp03");
+  const DeviceInfo &timers = tp03.devices[find_device(tp03, "T")], &counters = tp03.devices[find_device(tp03, "C", 200)];
+  EXPECT_EQ(text(existing_numbers(timers, "TP03H", points_of(timers, "TP03H"))), "0-511 ");
+  EXPECT_EQ(text(existing_numbers(timers, "TP03SR", points_of(timers, "TP03SR"))), "0-39 196-255 ");
+  EXPECT_EQ(text(existing_numbers(timers, "TP03SR", 100)), "0-39 ");
+  EXPECT_EQ(text(existing_numbers(timers, "TP03H", 0)), "");
+  EXPECT_EQ(text(existing_numbers(counters, "TP03H", 56)), "200-249 251-254 ");
+  EXPECT_EQ(text(existing_numbers(counters, "TP03SR", 56)), "220-238 241-242 246-247 251-253 ");
+  for (std::uint64_t n = 190; n < 260; ++n) {
+    bool listed = false;
+    for (const ModelNumbers &run : existing_numbers(counters, "TP03SR", 56))
+      listed |= n >= run.first && n <= run.last;
+    EXPECT_EQ(number_exists(counters, "TP03SR", 56, n), listed) << n;
+  }
+}
+
+TEST(Lookup, LatchedNumbersOfAModelReplaceTheGeneralOnes) {
+  const FamilyInfo &tp03 = *find_family("tp03");
+  const DeviceInfo &registers = tp03.devices[find_device(tp03, "D")], &relays = tp03.devices[find_device(tp03, "M")];
+  EXPECT_EQ(text(latched_numbers(registers, "TP03H")), "200-7999 ");
+  EXPECT_EQ(text(latched_numbers(registers, "TP03SR")), "400-511 ");
+  EXPECT_EQ(text(latched_numbers(relays, "TP03SR")), "500-1535 ");
+}
+
+TEST(Lookup, IndexRegisters) {
+  const FamilyInfo &tp03 = *find_family("tp03");
+  EXPECT_TRUE(is_index_register(tp03, find_device(tp03, "V")));
+  EXPECT_TRUE(is_index_register(tp03, find_device(tp03, "Z")));
+  EXPECT_FALSE(is_index_register(tp03, find_device(tp03, "D")));
+  EXPECT_FALSE(is_index_register(tp03, kNoDevice));
+  EXPECT_FALSE(is_index_register(qs(), find_device(qs(), "V")));
+}
+
+TEST(Lookup, TheManualOfABasedFamilyIsThatOfItsBase) {
+  FamilyInfo family = qs();
+  EXPECT_EQ(cited_family(family), "melsec-qs");
+  family.base = "tp03";
+  EXPECT_EQ(cited_family(family), "tp03");
 }
 
 }  // namespace

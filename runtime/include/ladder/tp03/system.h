@@ -24,6 +24,7 @@
 #include "ladder/tp03/high_speed.h"
 #include "ladder/tp03/interrupts.h"
 #include "ladder/tp03/parameters.h"
+#include "ladder/tp03/ports.h"
 #include "ladder/tp03/pulses.h"
 #include "ladder/tp03/timer.h"
 
@@ -48,6 +49,7 @@ public:
   Numbered<Words<512>, 8000> D;  ///< special registers D8000-D8511
   HighSpeed high_speed;          ///< counters C235-C254 and what compares with them
   Pulses pulses;                 ///< pulse outputs Y0 and Y1
+  Ports ports;                   ///< who has the serial ports
 
   // ---- the host's side
   void power_on(const Parameters &parameters) noexcept;
@@ -110,6 +112,7 @@ public:
     if (fault != Fault::None || is_on(8067))
       report(fault, step);
   }
+  /// False, and error 6706, where an index register led out of the devices. A place with its condition OFF reports nothing.
   bool in_range(bool inside, std::uint32_t step, bit executed = on) noexcept {
     if (executed)
       check(inside ? Fault::None : Fault::Range, step);
@@ -207,6 +210,7 @@ inline void System::power_on(const Parameters &parameters) noexcept {
   clock_.forget_setting();
   clock_.show(D);
   pulses.restart();
+  ports.restart();
   now_us_ = 0;
   timed_ = false;
   stopped_ = false;
@@ -244,6 +248,7 @@ inline void System::leave_run() noexcept {
   high_speed.restart();
   interrupts_.restart(parameters_);
   pulses.restart();
+  ports.restart();
   show_run(off, off);
 }
 

@@ -29,9 +29,9 @@ public:
   /// nothing of the kind.
   bool connect(Io *io);
   /// An input terminal goes to the other state and back `count` times between two scans; the image does not see it. Throws
-  /// DeviceError where `ref` is no terminal, or the controller looks at its terminals in scans only.
+  /// DeviceError where `ref` is no terminal, or the program looks at its terminals in scans only.
   void pulse(const DeviceRef &ref, std::uint64_t count);
-  /// Requests the routine of an interrupt pointer. Throws DeviceError where the controller has none.
+  /// Requests the routine of an interrupt pointer. Throws DeviceError where the program has no interrupt routines.
   void interrupt(unsigned pointer);
   /// Writes the held inputs, runs one scan at the clock's time, moves a virtual clock on.
   void scan();

@@ -49,22 +49,23 @@ Fault dabsd(Table table, const Count &counter, Outputs d, word n, S &sys) noexce
   return absd(table, counter, d, n, sys);
 }
 
-/// Stages one after the other: `counter` counts within the stage, the counter behind it counts the stages. Both are devices, so
-/// that a latched pair goes on after a power failure; the memory here only tells when the condition changes.
+/// Stages one after the other: the first of two counters counts within the stage, the second counts the stages. Both are devices,
+/// so that a latched pair goes on after a power failure; the memory here only tells when the condition changes.
 struct incd {
   bit driven{};
 
-  template <class Table, class Outputs, class S>
-  Fault run(bit condition, Table table, Counter &counter, Outputs d, word n, S &sys) noexcept {
+  /// `c` is the whole image of the counters, of which `pair` names two.
+  template <class Counters, class Table, class Pair, class Outputs, class S>
+  Fault run(bit condition, Counters &c, Table table, Pair pair, Outputs d, word n, S &sys) noexcept {
     const bit before = driven | sys.first_scan();
     driven = condition;
     if (!(condition | before))
       return Fault::None;
-    if (!cam::fits(table, d, n, 1)) {
+    if (!cam::fits(table, d, n, 1) || pair.points() < 2) {
       driven = off;
       return condition ? Fault::Range : Fault::None;
     }
-    Counter &stages = *(&counter + 1);  // the operand takes two consecutive counters
+    Counter &counter = c[pair.first()], &stages = c[pair.first() + 1];
     if (!condition | !before) {
       counter.clear();
       stages.clear();

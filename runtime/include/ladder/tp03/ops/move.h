@@ -141,6 +141,19 @@ template <class Destination, class System> Fault dfmov(dword source, Destination
   return detail::fill(source, destination, n);
 }
 
+/// To index registers as pairs: the high words lie in V, under the numbers of the low ones in Z.
+template <class HighWords, class Destination, class System>
+Fault dfmov_indexes(HighWords &high, dword source, Destination low, word n, System &) noexcept {
+  if (n < 1 || n > kMaxBlock)
+    return Fault::Range;
+  const unsigned count = detail::least(static_cast<unsigned>(n), low.points());
+  for (unsigned i = 0; i < count; ++i) {
+    low.set(i, to_word(pattern_of(source)));
+    high[low.first() + i] = to_word(pattern_of(source) >> 16);
+  }
+  return Fault::None;
+}
+
 // ---- SWAP, XCH
 
 constexpr word swap(word value) noexcept {

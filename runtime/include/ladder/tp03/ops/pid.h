@@ -114,7 +114,8 @@ public:
       tuning_ = false;
       begin(set_value, measured, present, action, sys.now_us());
     }
-    if (!is_due(static_cast<std::uint32_t>(table.get(pid::kSamplingTime)) * 1000, sys.now_us(), sys.elapsed_us()))
+    if (!is_due(static_cast<std::uint32_t>(table.get(pid::kSamplingTime)) * 1000, sys.now_us(),
+                sys.routine_running() ? 0 : sys.elapsed_us()))
       return fault_;
     fault_ = period_is_scan_ ? Fault::SamplingBelowScan : Fault::None;
     sample(set_value, measured, table, present, output, sys.now_us());
@@ -150,14 +151,16 @@ private:
   }
 
   /// Whether this scan calculates, and `period_us_`. Samples keep to a grid of Ts from the start, so that one that comes late makes
-  /// the next come early; a grid that was missed altogether starts anew. Ts within one scan: every scan calculates.
+  /// the next come early; a grid that was missed altogether starts anew. Ts within one scan: every scan calculates. A `scan_us` of
+  /// 0 says that a timer interrupt is being served, where the scan time means nothing: it may have to make up for several samples.
   bool is_due(std::uint32_t sampling_us, std::uint32_t now_us, std::uint32_t scan_us) noexcept {
     const std::uint32_t waited = now_us - last_us_;
     period_is_scan_ = sampling_us <= scan_us;
     period_us_ = period_is_scan_ ? scan_us : sampling_us;
     if (waited == 0 || (!period_is_scan_ && waited < sampling_us))
       return false;
-    last_us_ = period_is_scan_ || waited / 2 >= sampling_us ? now_us : last_us_ + sampling_us;
+    const std::uint32_t most = scan_us == 0 ? 16 : 2;
+    last_us_ = period_is_scan_ || waited / most >= sampling_us ? now_us : last_us_ + sampling_us;
     return true;
   }
 
