@@ -69,6 +69,10 @@ Extent extent(const Module &module, const Place &place) {
   default:
     break;
   }
+  if (module.family->devices[place.device].kind == DeviceKind::Label) {
+    e.none = true;
+    return e;
+  }
   e.device = place.device;
   e.first = place.number;
   if (place.is_indexed()) {  // anywhere in its class
