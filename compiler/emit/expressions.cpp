@@ -131,7 +131,7 @@ std::string arguments_text(const PlaceContext &context, const Operation &operati
   if (info.style != CallStyle::Value)
     for (const ir::Place &p : operation.outputs)
       // Blocks, runs and objects that are read, too, stand among the inputs already.
-      if (!ir::is_run(p.type) && !(p.kind == ir::PlaceKind::Object && llvm::is_contained(operation.inputs, p)))
+      if (!((ir::is_run(p.type) || p.kind == ir::PlaceKind::Object) && llvm::is_contained(operation.inputs, p)))
         add(output_text(context, p));
   if (info.passes_system)
     add("sys");

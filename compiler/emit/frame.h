@@ -39,8 +39,11 @@ std::string write_source(const Frame &frame, unsigned file);
 std::string write_symbols(const Frame &frame);
 /// The body of a routine: its rungs with their comments, and the calls of the functions that hold the others.
 void write_body(const Frame &frame, Writer &out, std::size_t routine, llvm::StringRef file_name);
+/// The emitter for the rungs of one function; it is used for all of them.
+RungEmitter begin_function(const Frame &frame, Writer &out, std::size_t routine);
 /// The rungs of one chunk with their comments.
-void write_rungs(const Frame &frame, Writer &out, std::size_t routine, const Chunk &chunk, llvm::StringRef file_name);
+void write_rungs(const Frame &frame, Writer &out, RungEmitter &emitter, std::size_t routine, const Chunk &chunk,
+                 llvm::StringRef file_name);
 
 /// Declarations of the functions that the routines become, and of what they keep from scan to scan.
 void write_routine_members(const Frame &frame, Writer &out);

@@ -26,7 +26,8 @@ public:
       : module_(module), parameters_(parameters), count_(count) {}
 
   void visit(const ir::Operation &o) {
-    const bool has_place = o.op == Op::Load || o.op == Op::Store || o.op == Op::Set || o.op == Op::Reset || o.op == Op::Transfer ||
+    const bool to_label = o.op == Op::Jump || o.op == Op::Gosub;
+    const bool has_place = (to_label && o.place.is_indexed()) || o.op == Op::Load || o.op == Op::Store || o.op == Op::Set || o.op == Op::Reset || o.op == Op::Transfer ||
                            ir::is_edge(o.op);
     if (has_place)
       visit(o.place);

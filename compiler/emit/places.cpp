@@ -176,7 +176,7 @@ std::string input_text(const PlaceContext &context, const Place &place) {
                        context.texts[static_cast<std::size_t>(place.value)].size());
   if (place.is_constant())
     return constant_text(context, place);
-  if (place.kind == PlaceKind::Label)
+  if (place.kind == PlaceKind::Label || device_of(context, place).kind == DeviceKind::Label)
     return fmt::format("{}", place.number);
   if (place.kind == PlaceKind::Object)
     return object_text(context, place);

@@ -399,11 +399,12 @@ std::string emit_rungs(const CheckedProgram &program, const ir::Module &module, 
     if (module.routines.size() > 1)
       out.line("{}{}:", routine ? "\n" : "", routine_name(module.routines[routine]));
     bool first = true;
+    RungEmitter emitter = begin_function(frame, out, routine);
     for (const Chunk &chunk : frame.layout.routines[routine].chunks) {
       if (!first)
         out.blank();
       first = false;
-      write_rungs(frame, out, routine, chunk, frame.stem + ".cpp");
+      write_rungs(frame, out, emitter, routine, chunk, frame.stem + ".cpp");
     }
   }
   return out.take();

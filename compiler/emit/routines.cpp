@@ -125,13 +125,14 @@ void write_events(const Frame &frame, Writer &out) {
 void write_body(const Frame &frame, Writer &out, std::size_t routine, llvm::StringRef file_name) {
   const RoutineLayout &layout = frame.layout.routines[routine];
   const bool state = frame.module.routines[routine].kind == ir::RoutineKind::State;
+  RungEmitter emitter = begin_function(frame, out, routine);
   bool first = true;
   for (const Chunk &chunk : layout.chunks) {
     if (!first)
       out.blank();
     first = false;
     if (!chunk.own_function) {
-      write_rungs(frame, out, routine, chunk, file_name);
+      write_rungs(frame, out, emitter, routine, chunk, file_name);
       continue;
     }
     const std::string call = fmt::format("{}({})", frame.chunk_name(routine, chunk), state ? "active" : "");
@@ -157,7 +158,8 @@ void write_routines(const Frame &frame, Writer &out, unsigned file, llvm::String
       out.blank();
       const Block body = out.block(fmt::format("{} {}{}({}) noexcept", result_type(chunk), scope, frame.chunk_name(index, chunk),
                                                routine.kind == ir::RoutineKind::State ? "[[maybe_unused]] bit active" : ""));
-      write_rungs(frame, out, index, chunk, file_name);
+      RungEmitter emitter = begin_function(frame, out, index);
+      write_rungs(frame, out, emitter, index, chunk, file_name);
       if (chunk.can_stop) {
         out.blank();
         out.line("return true;");

@@ -75,13 +75,19 @@ void write_rung_comment(const Frame &frame, Writer &out, const ir::Rung &rung,
 
 }  // namespace
 
-void write_rungs(const Frame &frame, Writer &out, std::size_t routine, const Chunk &chunk, llvm::StringRef file_name) {
-  const std::vector<ir::Rung> &rungs = frame.module.routines[routine].rungs;
+RungEmitter begin_function(const Frame &frame, Writer &out, std::size_t routine) {
   RungEmitter emitter(frame.module, frame.places, out, frame.options.level > 0);
   emitter.begin_function(frame.module.routines[routine]);
   if (frame.options.line_directives)
-    emitter.set_before_statement(
-        [&](std::uint32_t step) { out.left(fmt::format("#line {} {}", line_of_step(frame, step), quoted(frame.list().name()))); });
+    emitter.set_before_statement([&frame, &out](std::uint32_t step) {
+      out.left(fmt::format("#line {} {}", line_of_step(frame, step), quoted(frame.list().name())));
+    });
+  return emitter;
+}
+
+void write_rungs(const Frame &frame, Writer &out, RungEmitter &emitter, std::size_t routine, const Chunk &chunk,
+                 llvm::StringRef file_name) {
+  const std::vector<ir::Rung> &rungs = frame.module.routines[routine].rungs;
   CommentFinder comments(frame, rungs[chunk.first].first_instruction);
   for (std::size_t i = chunk.first; i <= chunk.last; ++i) {
     const ir::Rung &rung = rungs[i];

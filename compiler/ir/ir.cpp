@@ -57,6 +57,7 @@ Extent extent(const Module &module, const Place &place) {
   case PlaceKind::Hex:
     e.none = true;
     return e;
+  case PlaceKind::Text:
   case PlaceKind::Label:
     e.none = true;
     return e;
@@ -67,6 +68,10 @@ Extent extent(const Module &module, const Place &place) {
     return e;
   default:
     break;
+  }
+  if (module.family->devices[place.device].kind == DeviceKind::Label) {
+    e.none = true;
+    return e;
   }
   e.device = place.device;
   e.first = place.number;

@@ -39,6 +39,7 @@ enum class PlaceKind : std::uint8_t {
   Hex,      ///< constant, written in hexadecimal
   Edge,     ///< private edge memory `number`
   Master,   ///< master control state of level `number`
+  Text,     ///< string `value` of the module
   Label,    ///< a label by its number; from kHiddenLabel on, those that the list does not name
 };
 
@@ -60,7 +61,7 @@ struct Place {
   std::uint16_t count = 0;         ///< of a block or bit run: how many, where the table entry says
 
   bool is_indexed() const { return index != kNoDevice; }
-  bool is_constant() const { return kind == PlaceKind::Decimal || kind == PlaceKind::Hex; }
+  bool is_constant() const { return kind == PlaceKind::Decimal || kind == PlaceKind::Hex || kind == PlaceKind::Text; }
   bool operator==(const Place &) const = default;
 };
 

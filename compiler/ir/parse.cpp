@@ -282,6 +282,10 @@ private:
         place.number += kind == PlaceKind::Label ? kHiddenLabel : 0;
         return true;
       }
+    if (word.starts_with("text")) {
+      place.kind = PlaceKind::Text;
+      return !word.drop_front(4).getAsInteger(10, place.value) || fail("number expected");
+    }
     if (!word.getAsInteger(10, place.value)) {
       place.kind = PlaceKind::Decimal;
       return true;
@@ -380,6 +384,11 @@ Place to_place(const Operand &operand, OperandType type) {
     break;
   case OperandKind::Digits:
     p.kind = PlaceKind::Digits;
+    break;
+  case OperandKind::Text:
+    p.kind = PlaceKind::Text;
+    p.number = 0;
+    p.value = operand.value;
     break;
   case OperandKind::Decimal:
   case OperandKind::Hexadecimal:

@@ -68,6 +68,8 @@ static std::string plain_text(const Module &module, const Place &place) {
     return fmt::format("edge{}", place.number);
   case PlaceKind::Master:
     return fmt::format("master{}", place.number);
+  case PlaceKind::Text:
+    return fmt::format("text{}", place.value);
   case PlaceKind::Label:
     if (place.number >= kHiddenLabel)
       return fmt::format("skip{}", place.number - kHiddenLabel);

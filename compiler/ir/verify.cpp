@@ -74,6 +74,8 @@ private:
       return p.number < module_.master_levels ? "" : "no such master control state";
     case PlaceKind::Label:
       return {};
+    case PlaceKind::Text:
+      return static_cast<std::size_t>(p.value) < module_.texts.size() ? "" : "no such text";
     default:
       return p.device < module_.family->devices.size() ? "" : "no such device class";
     }
