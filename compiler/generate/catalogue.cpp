@@ -7,13 +7,13 @@ namespace ladderc::generate {
 
 namespace {
 
-bool in_profile(const InstructionInfo &info, GenerateProfile profile) {
-  switch (profile) {
+bool in_profile(const InstructionInfo &info, const GenerateOptions &options) {
+  switch (options.profile) {
   case GenerateProfile::Contacts:
     return (info.lowering == Lowering::Contact && info.edge == Execution::EveryScan) || info.lowering == Lowering::AndBlock ||
            info.lowering == Lowering::OrBlock || info.lowering == Lowering::Store || info.lowering == Lowering::End;
   case GenerateProfile::Mixed:
-    return !may_stop(info) && info.style != CallStyle::System;
+    return !may_stop(info, *options.family) && info.style != CallStyle::System;
   case GenerateProfile::All:
     return true;
   }
@@ -24,6 +24,20 @@ bool in_profile(const InstructionInfo &info, GenerateProfile profile) {
 unsigned kind_of(const InstructionInfo &info) {
   return static_cast<unsigned>(info.lowering) * 64 + static_cast<unsigned>(info.style) * 4 + info.stops_scan * 2 +
          (info.edge != Execution::EveryScan);
+}
+
+/// Opens a range, or names a label: whoever uses it has to do more than write one line.
+bool needs_more(Lowering lowering) {
+  switch (lowering) {
+  case Lowering::MasterControl:
+  case Lowering::BusStart:
+  case Lowering::Skip:
+  case Lowering::Jump:
+  case Lowering::CallRoutine:
+    return true;
+  default:
+    return false;
+  }
 }
 
 unsigned weight_of(const InstructionInfo &info) {
@@ -37,9 +51,11 @@ unsigned weight_of(const InstructionInfo &info) {
   case Lowering::Store:
     return 90;
   case Lowering::Call:
-    return info.style == CallStyle::Value ? 120 : 50;
+    return info.style == CallStyle::Value ? 120 : info.style == CallStyle::Status ? 80 : 50;
   case Lowering::CallWithResult:
-    return info.style == CallStyle::Method ? 60 : 20;
+    return info.style == CallStyle::Method ? 60 : info.style == CallStyle::Memory ? 40 : 20;
+  case Lowering::Transfer:
+    return 40;
   default:
     return 20;
   }
@@ -50,18 +66,20 @@ unsigned weight_of(const InstructionInfo &info) {
 Catalogue::Catalogue(const GenerateOptions &options) {
   const llvm::StringRef model = options.model.empty() ? options.family->models.front() : options.model;
   for (const InstructionInfo &info : options.family->instructions)
-    if ((info.models.empty() || llvm::is_contained(info.models, model)) && in_profile(info, options.profile))
+    if ((info.models.empty() || llvm::is_contained(info.models, model)) && in_profile(info, options))
       add(info);
 }
 
 void Catalogue::add(const InstructionInfo &info) {
-  first_.emplace(info.lowering, &info);
+  by_lowering_[info.lowering].push_back(&info);
   if (info.placement == Placement::Series && info.lowering == Lowering::Contact && info.edge == Execution::EveryScan)
     plain_series_.push_back(&info);
   if (info.style == CallStyle::Value && info.function.empty() && info.inputs.size() == 1 && info.operands.size() == 2 &&
       info.execution == Execution::WhileOn)
     assignments_.push_back(&info);
-  if (info.lowering == Lowering::MasterControl)
+  if (info.placement == Placement::Alone && info.lowering == Lowering::Call)
+    alone_.push_back(&info);
+  if (needs_more(info.lowering))
     return;
   Kind &kind = placements_[info.placement].try_emplace(kind_of(info), Kind{weight_of(info), {}}).first->second;
   for (auto &entries : kind.mnemonics)
@@ -89,8 +107,17 @@ const InstructionInfo *Catalogue::pick(Random &random, Placement placement) cons
 }
 
 const InstructionInfo *Catalogue::find(Lowering lowering) const {
-  const auto found = first_.find(lowering);
-  return found == first_.end() ? nullptr : found->second;
+  const auto found = by_lowering_.find(lowering);
+  return found == by_lowering_.end() ? nullptr : found->second.front();
+}
+
+const InstructionInfo *Catalogue::pick(Random &random, Lowering lowering) const {
+  const auto found = by_lowering_.find(lowering);
+  return found == by_lowering_.end() ? nullptr : random.pick(llvm::ArrayRef(found->second));
+}
+
+const InstructionInfo *Catalogue::pick_alone(Random &random) const {
+  return alone_.empty() ? nullptr : random.pick(llvm::ArrayRef(alone_));
 }
 
 const InstructionInfo *Catalogue::pick_plain_series(Random &random) const {

@@ -1,7 +1,7 @@
 // The profiles by name, and the entry point.
 #include "generate/generate.h"
 
-#include "generate/rung_maker.h"
+#include "generate/program_maker.h"
 
 namespace ladderc {
 
@@ -31,7 +31,7 @@ llvm::StringRef name(GenerateProfile profile) {
 }
 
 std::string generate_list(const GenerateOptions &options) {
-  return generate::RungMaker(options).list();
+  return generate::ProgramMaker(options).list();
 }
 
 }  // namespace ladderc

@@ -5,8 +5,6 @@
 //     outputs  = output | output behind outputs | more outputs | MPS outputs { MRD outputs } MPP outputs
 //
 // Behind an output a block of its own would be the next rung, unless a branch is open; what may stand there else is one contact.
-// A master control region is a rung that ends with MC, rungs and deeper regions, and MCR; the inner regions may be left to the
-// outer MCR.
 #include "generate/rung_maker.h"
 
 #include <fmt/format.h>
@@ -21,20 +19,6 @@ constexpr unsigned kGuards = 4;  ///< contacts in series before an instruction t
 
 }  // namespace
 
-std::string RungMaker::list() {
-  text_ = fmt::format("; ladderc generate --family={} --profile={} --seed={} --rungs={}\n", options_.family->id.str(),
-                      name(options_.profile).str(), options_.seed, options_.rungs);
-  while (rungs_ < options_.rungs) {
-    if (random_.one_in(8) && catalogue_.find(Lowering::MasterControl))
-      region(0, 3);
-    else
-      rung();
-  }
-  if (const InstructionInfo *end = catalogue_.find(Lowering::End))
-    line(*end, {});
-  return std::move(text_);
-}
-
 void RungMaker::rung() {
   ++rungs_;
   edge_relay_ = false;
@@ -43,48 +27,10 @@ void RungMaker::rung() {
   outputs(3);
 }
 
-/// Levels from `first_level` on are free; returns the first that is so afterwards.
-unsigned RungMaker::region(unsigned first_level, unsigned depth) {
-  const InstructionInfo &begin = *catalogue_.find(Lowering::MasterControl);
-  const InstructionInfo *end = catalogue_.find(Lowering::MasterControlReset);
-  const unsigned level = first_level + random_.below(2);
-  if (!end || level >= options_.family->max_levels) {
-    rung();
-    return first_level;
-  }
+void RungMaker::condition(unsigned depth) {
   ++rungs_;
   edge_relay_ = false;
-  block(1);
-  if (random_.one_in(4))
-    output();
-  const auto made = operands_.make(begin, true);
-  if (!made) {
-    output();
-    return first_level;
-  }
-  std::vector<std::string> operands = *made;
-  std::string level_text;
-  for (std::size_t k = 0; k < operands.size(); ++k)
-    if (begin.operands[k].type == OperandType::Level) {
-      const std::string::size_type digits = operands[k].find_first_of("0123456789");
-      operands[k] = level_text = operands[k].substr(0, digits) + fmt::format("{}", level);
-    }
-  line(begin, operands);
-  if (random_.one_in(4)) {  // goes on behind MC, under the new master already
-    more(0);
-    output();
-  }
-  unsigned free = level + 1;
-  for (unsigned n = random_.below(4); n > 0; --n) {
-    if (depth > 1 && random_.one_in(3))
-      free = region(free, depth - 1);
-    else
-      rung();
-  }
-  if (first_level != 0 && random_.one_in(3))
-    return free;  // the outer MCR closes this region too
-  line(*end, level_text);
-  return first_level;
+  block(depth);
 }
 
 void RungMaker::block(unsigned depth) {
@@ -145,19 +91,23 @@ void RungMaker::output() {
     const InstructionInfo *info = catalogue_.pick(random_, Placement::Output);
     if (!info || !operands_.possible(*info))
       continue;
-    if (info->stops_scan || (may_stop(*info) && random_.one_in(6)))
+    if (info->stops_scan || (may_stop(*info, *options_.family) && random_.one_in(6)))
       return seldom_output(*info);
-    if (may_stop(*info) && random_.one_in(2) ? instruction_on_fresh_number(*info) : instruction(info))
+    if (may_stop(*info, *options_.family) && random_.one_in(2) ? instruction_on_fresh_number(*info) : instruction(info))
       return;
   }
 }
 
 /// Stops the CPU soon if it is executed: many contacts before it make that seldom.
 void RungMaker::seldom_output(const InstructionInfo &info) {
+  guard();
+  for (unsigned i = 0; i < kTries && !instruction(&info, false); ++i) {
+  }
+}
+
+void RungMaker::guard() {
   for (unsigned i = 0; i < kGuards; ++i)
     instruction(catalogue_.pick_plain_series(random_));
-  while (!instruction(&info, false)) {
-  }
 }
 
 /// The source that could make the instruction fail is assigned a good number just before.
@@ -202,9 +152,10 @@ void RungMaker::line(const InstructionInfo &info, llvm::ArrayRef<std::string> op
   if (info.placement != Placement::Anywhere)
     behind_output_ = info.placement == Placement::Output;
   const bool alias = !info.aliases.empty() && random_.one_in(6);
-  text_ += alias ? random_.pick(info.aliases) : info.spelling;
+  if (info.placement != Placement::Label)
+    text_ += alias ? random_.pick(info.aliases) : info.spelling;
   for (const std::string &operand : operands)
-    text_ += " " + operand;
+    text_ += (text_.empty() || text_.back() == '\n' ? "" : " ") + operand;
   text_ += "\n";
 }
 

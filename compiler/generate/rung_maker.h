@@ -13,20 +13,31 @@ public:
   explicit RungMaker(const GenerateOptions &options)
       : options_(options), random_(options.seed), catalogue_(options), operands_(options, random_) {}
 
-  std::string list();
+  void rung();
+  /// The contacts of a rung of which the outputs are to follow.
+  void condition(unsigned depth);
+  /// Something that changes the result so far; depth 0: one contact.
+  void more(unsigned depth);
+  void output();
+  void line(const InstructionInfo &info, llvm::ArrayRef<std::string> operands);
+  /// Many contacts in series: what follows happens seldom.
+  void guard();
+  /// False where the allocation has no operands for it.
+  bool instruction(const InstructionInfo *info, bool tame = true);
+
+  const GenerateOptions &options() const { return options_; }
+  Random &random() { return random_; }
+  const Catalogue &catalogue() const { return catalogue_; }
+  OperandMaker &operands() { return operands_; }
+  unsigned rungs() const { return rungs_; }
+  std::string &text() { return text_; }
 
 private:
-  void rung();
-  unsigned region(unsigned first_level, unsigned depth);
   void block(unsigned depth);
-  void more(unsigned depth);
   void outputs(unsigned depth);
-  void output();
   void seldom_output(const InstructionInfo &info);
   void filler(Placement placement);
-  bool instruction(const InstructionInfo *info, bool tame = true);
   bool instruction_on_fresh_number(const InstructionInfo &info);
-  void line(const InstructionInfo &info, llvm::ArrayRef<std::string> operands);
 
   const GenerateOptions &options_;
   Random random_;

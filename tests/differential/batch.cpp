@@ -19,15 +19,21 @@ namespace ladderc::differential {
 
 namespace {
 
-/// Allocations: the default, one in which many operands reach over the end of their class, and one in between.
-const char *const kParameters[] = {
-    R"({"ST_points": 8})",
-    R"({"device_points": {"X": 48, "Y": 32, "M": 40, "B": 16, "F": 40, "SB": 12, "V": 16, "T": 8, "ST": 4, "C": 6, "D": 28, "W": 12,
-        "SW": 10}, "low_speed_unit_ms": 10, "high_speed_unit_ms": 1})",
-    R"({"device_points": {"X": 256, "Y": 256, "M": 512, "B": 64, "F": 64, "SB": 32, "V": 32, "T": 16, "ST": 8, "C": 16, "D": 128,
+/// What the engineering tool sets, by family: allocations in which many operands reach over the end of their class, latched
+/// devices.
+struct ParameterChoice {
+  llvm::StringLiteral family, json;
+};
+const ParameterChoice kParameters[] = {
+    {"melsec-qs", R"({"ST_points": 8})"},
+    {"melsec-qs",
+     R"({"device_points": {"X": 48, "Y": 32, "M": 40, "B": 16, "F": 40, "SB": 12, "V": 16, "T": 8, "ST": 4, "C": 6, "D": 28, "W": 12,
+        "SW": 10}, "low_speed_unit_ms": 10, "high_speed_unit_ms": 1})"},
+    {"melsec-qs",
+     R"({"device_points": {"X": 256, "Y": 256, "M": 512, "B": 64, "F": 64, "SB": 32, "V": 32, "T": 16, "ST": 8, "C": 16, "D": 128,
         "W": 64, "SW": 32}, "program_name": "RANDOM", "low_speed_unit_ms": 50, "high_speed_unit_ms": 0.7,
         "latched": ["X3", "Y4-Y7", "M8-M19", "M18-M22", "B0-B3", "F2-F5", "V1-V4", "T1-T2", "ST0", "C0-C1", "D4-D11", "D120-D127",
-        "W0-W3"], "device_initial_values": {"D9": 7, "D20": -5, "M30": 1, "W2": 300}})"};
+        "W0-W3"], "device_initial_values": {"D9": 7, "D20": -5, "M30": 1, "W2": 300}})"}};
 
 std::string joined_text(const driver::Compilation &c, const std::string &space) {
   emit::EmitOptions options = c.emit_options();
@@ -115,20 +121,24 @@ std::string load(const Library &library, std::vector<CompiledCase> &compiled,
 
 }  // namespace
 
-Case make_case(std::uint64_t seed) {
+Case make_case(const FamilyInfo &family, std::uint64_t seed) {
   Random random(seed * 31 + 17);
   Case c;
   c.seed = seed;
-  c.generate.family = find_family("melsec-qs");
-  c.generate.model = c.generate.family->models.front();
+  c.generate.family = &family;
+  c.generate.model = family.models[random.below(static_cast<std::uint32_t>(family.models.size()))];
   c.generate.parameters = default_parameters(*c.generate.family, c.generate.model);
   c.generate.seed = seed;
   c.generate.profile = random.pick<GenerateProfile>({GenerateProfile::Contacts, GenerateProfile::Mixed, GenerateProfile::Mixed,
                                                      GenerateProfile::All, GenerateProfile::All, GenerateProfile::All});
   c.generate.rungs = 4 + random.below(30);
-  const char *parameters = kParameters[random.below(5) == 0 ? 0 : 1 + random.below(2)];
-  if (const auto problem = read_parameters(parameters, *c.generate.family, c.generate.parameters))
-    llvm::errs() << *problem << "\n";
+  std::vector<llvm::StringRef> choices;
+  for (const ParameterChoice &choice : kParameters)
+    if (choice.family == family.id)
+      choices.push_back(choice.json);
+  if (!choices.empty())
+    if (const auto problem = read_parameters(random.pick(llvm::ArrayRef(choices)), family, c.generate.parameters))
+      llvm::errs() << *problem << "\n";
   c.list = generate_list(c.generate);
   return c;
 }

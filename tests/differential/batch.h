@@ -17,7 +17,7 @@ struct Case {
   GenerateOptions generate;  ///< profile, allocation and length are drawn from the seed
   std::string list;
 };
-Case make_case(std::uint64_t seed);
+Case make_case(const FamilyInfo &family, std::uint64_t seed);
 
 struct CompiledCase {
   Case c;

@@ -1,9 +1,6 @@
 // Reading and writing the images of a program object.
 #include "compiled_side.h"
 
-#include "ladder/counter.h"
-#include "ladder/timer.h"
-
 #include <cstring>
 #include <new>
 
@@ -25,10 +22,13 @@ CompiledSide::CompiledSide(const ladder::ProgramSymbols &symbols, const FamilyIn
       symbol_(family.devices.size()), arrays_(family.devices.size()) {
   for (std::uint32_t i = 0; i < symbols.device_count; ++i) {
     const ladder::DeviceSymbol &s = symbols.devices[i];
-    const DeviceId id = find_device(family, s.prefix);
+    const DeviceId id = find_device(family, s.prefix, s.first);
     symbol_[id] = &s;
-    const bool parts = s.shape == ladder::Shape::Timers || s.shape == ladder::Shape::Counters;
-    if (parts || s.shape == ladder::Shape::Words)
+    const bool wide = s.shape == ladder::Shape::LongCounters;
+    const bool parts = wide || s.shape == ladder::Shape::Timers || s.shape == ladder::Shape::Counters;
+    if (wide)
+      arrays_[id].wide.resize(s.points);
+    else if (parts || s.shape == ladder::Shape::Words)
       arrays_[id].value.resize(s.points);
     if (parts || s.shape != ladder::Shape::Words)
       arrays_[id].on.resize(s.points);
@@ -58,6 +58,17 @@ void CompiledSide::write_initial_values() {
     write_initial_value(initial, family_, [&](DeviceId id) -> DeviceArray & { return arrays_[id]; });
 }
 
+bool CompiledSide::input(std::size_t number, bool on) {
+  if (symbols_.input == nullptr)
+    return false;
+  symbols_.input(object(), static_cast<unsigned>(number), on);
+  return true;
+}
+
+std::size_t CompiledSide::count(DeviceId id) const {
+  return symbol_[id] ? symbol_[id]->count : 0;
+}
+
 void CompiledSide::poke_bit(DeviceId id, std::size_t number, bool on) {
   const ladder::DeviceSymbol &s = *symbol_[id];
   arrays_[id].on[number] = on;
@@ -85,6 +96,8 @@ const DeviceArray &CompiledSide::read(DeviceId id) {
     return a;
   const ladder::DeviceSymbol &s = *symbol_[id];
   const unsigned char *image = object() + s.offset;
+  const std::size_t stride = s.stride ? s.stride : s.shape == ladder::Shape::LongCounters ? 8 : 4;
+  auto part = [&](std::uint32_t n, std::size_t distance) { return image[n * stride + distance] != 0; };
   for (std::uint32_t n = 0; n < s.count && n < s.points; ++n)
     switch (s.shape) {
     case ladder::Shape::Bits:
@@ -96,20 +109,17 @@ const DeviceArray &CompiledSide::read(DeviceId id) {
     case ladder::Shape::Words:
       a.value[n] = load<std::uint16_t>(image + n * 2);
       break;
-    case ladder::Shape::Timers: {
-      const auto t = load<ladder::Timer>(image + n * sizeof(ladder::Timer));
-      a.value[n] = static_cast<std::uint16_t>(t.value);
-      a.on[n] = t.contact.value();
-      a.coil[n] = t.coil.value();
+    case ladder::Shape::Timers:
+    case ladder::Shape::Counters:
+      a.value[n] = load<std::uint16_t>(image + n * stride);
+      a.on[n] = part(n, 2);
+      a.coil[n] = part(n, 3);
       break;
-    }
-    case ladder::Shape::Counters: {
-      const auto c = load<ladder::Counter>(image + n * sizeof(ladder::Counter));
-      a.value[n] = static_cast<std::uint16_t>(c.value);
-      a.on[n] = c.contact.value();
-      a.coil[n] = c.coil.value();
+    case ladder::Shape::LongCounters:
+      a.wide[n] = load<std::uint32_t>(image + n * stride);
+      a.on[n] = part(n, 4);
+      a.coil[n] = part(n, 5);
       break;
-    }
     }
   return a;
 }

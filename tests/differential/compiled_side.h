@@ -15,11 +15,15 @@ public:
 
   void power_on();
   void set_run(bool run);
+  /// An input terminal changed between two scans; false where the program does not look at it then.
+  bool input(std::size_t number, bool on);
   void scan(std::uint32_t now_us) { symbols_.scan(object(), now_us); }
   ladder::Status status() const { return symbols_.status(object()); }
 
   void poke_bit(DeviceId id, std::size_t number, bool on);
   void poke_word(DeviceId id, std::size_t number, std::uint16_t value);
+  /// So many points of the class lie in the program's memory.
+  std::size_t count(DeviceId id) const;
   /// All points of the class, in the interpreter's form. Points that the program has no memory for are as the host wrote them.
   const DeviceArray &read(DeviceId id);
 

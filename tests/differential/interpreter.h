@@ -76,6 +76,8 @@ Decoded decode_mnemonic(const std::string &spelling);
 class Interpreter {
 public:
   explicit Interpreter(const CheckedProgram &program);
+  /// True where it has a meaning for every mnemonic of the family.
+  static bool knows(const FamilyInfo &family);
 
   void power_on();
   void set_run(bool run);

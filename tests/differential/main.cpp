@@ -17,6 +17,7 @@ using namespace ladderc;
 using namespace ladderc::differential;
 
 struct Arguments {
+  const FamilyInfo *family = find_family("melsec-qs");
   std::uint64_t first = 1, last = 40;
   unsigned batch = 12;
   bool trap = false, keep_going = false;
@@ -25,12 +26,14 @@ struct Arguments {
 };
 
 int usage(const char *self) {
-  fmt::print(stderr,
-             "usage: {} [--seeds=FROM-TO] [--scans=N] [--batch=N] [--folder=DIR] [--keep-going] [--trap] [--list=FILE]\n"
-             "  --seeds    the programs (default 1-40)\n"
-             "  --list     this list in the allocation and with the inputs of the first seed, in place of its own list\n"
-             "  --trap     undefined behaviour in the compiled programs kills the run\n",
-             self);
+  fmt::print(
+      stderr,
+      "usage: {} [--family=ID] [--seeds=FROM-TO] [--scans=N] [--batch=N] [--folder=DIR] [--keep-going] [--trap] [--list=FILE]\n"
+      "  --family   of the programs (default melsec-qs)\n"
+      "  --seeds    the programs (default 1-40)\n"
+      "  --list     this list in the allocation and with the inputs of the first seed, in place of its own list\n"
+      "  --trap     undefined behaviour in the compiled programs kills the run\n",
+      self);
   return 2;
 }
 
@@ -38,7 +41,10 @@ bool read_arguments(int argc, char **argv, Arguments &a) {
   for (int i = 1; i < argc; ++i) {
     auto [name, value] = llvm::StringRef(argv[i]).split('=');
     bool bad = false;
-    if (name == "--seeds") {
+    if (name == "--family") {
+      a.family = find_family(value);
+      bad = a.family == nullptr;
+    } else if (name == "--seeds") {
       const auto [from, to] = value.split('-');
       bad = from.getAsInteger(10, a.first) || (to.empty() ? from : to).getAsInteger(10, a.last) || a.last < a.first;
     } else if (name == "--scans")
@@ -87,7 +93,7 @@ int main(int argc, char **argv) {
   for (std::uint64_t seed = a.first; seed <= a.last;) {
     std::vector<Case> cases;
     for (; seed <= a.last && cases.size() < a.batch; ++seed) {
-      cases.push_back(make_case(seed));
+      cases.push_back(make_case(*a.family, seed));
       if (!replacement.empty())
         cases.back().list = replacement;
     }

@@ -58,9 +58,10 @@ void Memory::write_initial_values() {
 
 void clear_unlatched(DeviceArray &array, DeviceId id, const FamilyInfo &family, const Parameters &parameters) {
   const bool of_system = family.devices[id].prefix == "SM" || family.devices[id].prefix == "SD";
+  const std::size_t first = family.devices[id].first;
   for (std::size_t n = 0; n < std::max(array.on.size(), array.value.size()); ++n) {
     const bool latched = !of_system && std::any_of(parameters.latched.begin(), parameters.latched.end(), [&](const DeviceRange &r) {
-      return r.device == id && r.first <= n && n <= r.last;
+      return r.device == id && r.first <= first + n && first + n <= r.last;
     });
     if (latched)
       continue;
@@ -70,6 +71,8 @@ void clear_unlatched(DeviceArray &array, DeviceId id, const FamilyInfo &family, 
       array.coil[n] = 0;
     if (n < array.value.size())
       array.value[n] = 0;
+    if (n < array.wide.size())
+      array.wide[n] = 0;
   }
 }
 

@@ -12,10 +12,12 @@
 
 namespace ladderc::differential {
 
-/// One device class. Bits use `on`, words `value`, timers and counters all three (`on` is the contact).
+/// One device class, its lowest number first. Bits use `on`, words `value`, timers and counters all three (`on` is the contact);
+/// 32-bit counters have `wide` in place of `value`.
 struct DeviceArray {
   std::vector<std::uint8_t> on, coil;
   std::vector<std::uint16_t> value;
+  std::vector<std::uint32_t> wide;
 };
 
 class Memory {

@@ -17,12 +17,15 @@ namespace {
 const FamilyInfo &qs() {
   return *find_family("melsec-qs");
 }
+const FamilyInfo &tp03() {
+  return *find_family("tp03");
+}
 
-GenerateOptions options_for(std::uint64_t seed, GenerateProfile profile) {
+GenerateOptions options_for(std::uint64_t seed, GenerateProfile profile, const FamilyInfo &family = qs()) {
   GenerateOptions options;
-  options.family = &qs();
-  options.model = qs().models.front();
-  options.parameters = default_parameters(qs(), options.model);
+  options.family = &family;
+  options.model = family.models.front();
+  options.parameters = default_parameters(family, options.model);
   options.profile = profile;
   options.seed = seed;
   return options;
@@ -74,6 +77,19 @@ TEST_P(Profiles, ListsHaveNoErrorsInASmallAllocation) {
   }
 }
 
+TEST_P(Profiles, EachModelOfAFamilyWithControlFlow) {
+  for (const llvm::StringRef model : tp03().models)
+    for (std::uint64_t seed = 0; seed < 100; ++seed) {
+      GenerateOptions options = options_for(seed, GetParam(), tp03());
+      options.model = model;
+      options.parameters = default_parameters(tp03(), model);
+      const Checked checked(options);
+      ASSERT_EQ(checked.errors(), "") << model.str() << ", seed " << seed << "\n" << checked.text;
+      ASSERT_TRUE(checked.program.ok);
+      EXPECT_GE(checked.program.rungs, 20u);
+    }
+}
+
 TEST_P(Profiles, SameSeedSameList) {
   EXPECT_EQ(generate_list(options_for(7, GetParam())), generate_list(options_for(7, GetParam())));
   EXPECT_NE(generate_list(options_for(7, GetParam())), generate_list(options_for(8, GetParam())));
@@ -88,11 +104,13 @@ TEST(Profile, UnknownNameIsNone) {
 }
 
 /// Forms that occur in the lists of some seeds.
-llvm::StringSet<> forms(GenerateProfile profile) {
+llvm::StringSet<> forms(GenerateProfile profile, const FamilyInfo &family = qs()) {
   llvm::StringSet<> found;
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
-    GenerateOptions options = options_for(seed, profile);
-    EXPECT_EQ(read_parameters(R"({"ST_points": 4})", qs(), options.parameters), std::nullopt);
+    GenerateOptions options = options_for(seed, profile, family);
+    if (&family == &qs()) {
+      EXPECT_EQ(read_parameters(R"({"ST_points": 4})", qs(), options.parameters), std::nullopt);
+    }
     const Checked checked(options);
     for (const Instruction &i : checked.program.list.instructions)
       if (i.info)
@@ -104,6 +122,12 @@ llvm::StringSet<> forms(GenerateProfile profile) {
 TEST(Profile, AllHasEveryInstruction) {
   const llvm::StringSet<> found = forms(GenerateProfile::All);
   for (const InstructionInfo &info : qs().instructions)
+    EXPECT_TRUE(found.contains(info.form)) << info.form.str();
+}
+
+TEST(Profile, AllHasEveryInstructionOfAFamilyWithControlFlow) {
+  const llvm::StringSet<> found = forms(GenerateProfile::All, tp03());
+  for (const InstructionInfo &info : tp03().instructions)
     EXPECT_TRUE(found.contains(info.form)) << info.form.str();
 }
 
