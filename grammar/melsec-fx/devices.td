@@ -4,6 +4,9 @@
 // ranges are those of an FX3U. R goes wherever D goes. "section" is where the TP03 manual treats the class. High-speed counters
 // have the inputs that the TP03 gives them; C250 and C255, which it lacks, are missing here too.
 
+// The models that have what the smallest ones of the TP03 lack.
+defvar LargeModels = ["FX3U"];
+
 let section = "2.2-2.3" in {
 def DevX : Device<"X", "input", Bit, 8, 256> {
   let externalInput = 1;

@@ -10,6 +10,7 @@
 #include "llvm/ADT/StringMap.h"
 #include "llvm/Support/FormatVariadic.h"
 
+#include <algorithm>
 #include <string>
 
 namespace ladderc::tblgen {
@@ -196,8 +197,10 @@ void emit_family(llvm::RecordKeeper &records, raw_ostream &out) {
   FamilyRecords family = read_family(records);
   const Record &r = *family.family;
   auto integer = [&](StringRef field) { return std::to_string(r.getValueAsInt(field)); };
+  std::string tables = family.id().str() + "_tables";
+  std::replace(tables.begin(), tables.end(), '-', '_');
   out << "// Written by ladder-tblgen from grammar/" << family.id() << ".td. Included by compiler/tables/tables.cpp.\n"
-      << "namespace ladderc::" << r.getValueAsString("ns") << "_tables {\n\n";
+      << "namespace ladderc::" << tables << " {\n\n";
   Arrays arrays(out);
   std::string models = arrays.strings(r.getValueAsListOfStrings("models"));
   std::string devices =
@@ -217,7 +220,7 @@ void emit_family(llvm::RecordKeeper &records, raw_ostream &out) {
       << flag(r.getValueAsBit("spacedOperands")) << ", " << integer("warnedBranches") << ", " << integer("maxLoops") << ", "
       << integer("maxCalls") << ", " << integer("maxMerge") << ", " << integer("endLabel") << ", "
       << quoted(r.getValueAsString("base")) << ", " << integer("warnedMerge")
-      << "};\n\n}  // namespace ladderc::" << r.getValueAsString("ns") << "_tables\n";
+      << "};\n\n}  // namespace ladderc::" << tables << "\n";
 }
 
 }  // namespace ladderc::tblgen

@@ -1,6 +1,8 @@
 // Devices of the TP03, and which of them may stand where. Numbers and sizes: 2.2-2.10; latch ranges: 2.4-2.9 and the parameter table.
 
 defvar SR = "TP03SR";
+// The models that have what the smallest ones lack.
+defvar LargeModels = ["TP03H", "TP03M"];
 
 let section = "2.2-2.3" in {
 def DevX : Device<"X", "input", Bit, 8, 256> {
