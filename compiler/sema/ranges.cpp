@@ -169,9 +169,8 @@ void Ranges::end_routine(InstructionIndex index, ScopeKind kind) {
   } else if (excused_returns_ > 0) {
     --excused_returns_;
   } else {
-    context_.report(DiagId::ReturnInMain, index)
-        .arg("mnemonic", text(index))
-        .arg("what", kind == ScopeKind::Subroutine ? "subroutine" : "interrupt routine");
+    const bool subroutine = kind == ScopeKind::Subroutine;
+    context_.report(subroutine ? DiagId::ReturnInMain : DiagId::InterruptNotBegun, index).arg("mnemonic", text(index));
   }
 }
 
@@ -321,6 +320,18 @@ void Ranges::close_ranges(InstructionIndex index, Lowering kind) {
 
 // ---------------------------------------------------------------------------------------------- scopes
 
+DiagId Ranges::misplaced(InstructionIndex index, ScopeKind around) const {
+  using enum Lowering;
+  const Lowering what = lowering(index);
+  if (around == ScopeKind::Loop)
+    return DiagId::InLoop;
+  if (around == ScopeKind::State) {
+    const bool switches = what == MasterControl || what == MasterControlReset || what == BusStart || what == BusEnd;
+    return switches || what == Return ? DiagId::InState : DiagId::RoutineInState;
+  }
+  return what == MainEnd ? DiagId::EndInRoutine : DiagId::InRoutine;
+}
+
 bool Ranges::is_forbidden(InstructionIndex index, Forbidden where) {
   for (ScopeIndex s = scope_; s != kMainScope; s = scopes_[s].parent) {
     const Scope &scope = scopes_[s];
@@ -328,7 +339,7 @@ bool Ranges::is_forbidden(InstructionIndex index, Forbidden where) {
     const bool routine = scope.kind == ScopeKind::Subroutine || scope.kind == ScopeKind::Interrupt;
     if (!((loop && where.in_loop) || (state && where.in_state) || (routine && where.in_routine)))
       continue;
-    DiagBuilder builder = context_.report(loop ? DiagId::InLoop : state ? DiagId::InState : DiagId::InRoutine, index);
+    DiagBuilder builder = context_.report(misplaced(index, scope.kind), index);
     builder.arg("mnemonic", text(index));
     if (routine)
       builder.arg("label", text(scope.opened_by));
@@ -443,7 +454,7 @@ std::string Ranges::scope_name(ScopeIndex index) const {
   case ScopeKind::Interrupt:
     return "the routine " + text(scope.opened_by);
   case ScopeKind::Loop:
-    return "a loop";
+    return "the loop";
   case ScopeKind::State:
     return "the state " + context_.text(operand(scope.opened_by).range).str();
   }
