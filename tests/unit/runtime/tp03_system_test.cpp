@@ -302,7 +302,9 @@ TEST(Tp03System, EndlessJumpsBackStopTheScan) {
   while (p.sys.may_jump_back())
     ++jumps;
   EXPECT_LE(jumps, 1000000);
+  p.sys.end_scan();
   EXPECT_FALSE(p.sys.running());
+  EXPECT_EQ(p.m(8000), off);
   EXPECT_EQ(p.d(8061), 6105);
 }
 

@@ -293,6 +293,8 @@ inline bool System::begin_scan(Micros now) noexcept {
 }
 
 inline void System::end_scan() noexcept {
+  if (!running())  // an error stopped the program
+    return;
   show_run(on, off);
   clock_.exchange(M, D);
   ++scans_;
