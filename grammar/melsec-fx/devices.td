@@ -115,6 +115,9 @@ def DevI : Device<"I", "interrupt pointer", LabelDevice, 10, 900> {
 }
 }
 
+// What "D" means where an instruction has a list of its own: with special registers, and without.
+defvar DataRegisters = [DevD, DevDS, DevR];
+defvar PlainRegisters = [DevD, DevR];
 def ContactBits : Classes<[DevX, DevY, DevM, DevMS, DevS, DevT, DevC, DevCL]>;
 def CoilBits : Classes<[DevY, DevM, DevMS]>;
 def StepBits : Classes<[DevS]>;

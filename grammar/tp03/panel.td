@@ -8,7 +8,7 @@ class OutputLines<string n, int length> : BitsOut<n, length, OutputBits> {
   let note = !if(length, "the first of " # length, "");
 }
 class OneConstant<string n> : Source<n, OpWord, NoDevices>;
-def PanelPairs : Classes<[DevT, DevC, DevCL, DevD, DevDS, DevZ]>;
+def PanelPairs : Classes<[DevT, DevC, DevCL] # DataRegisters # [DevZ]>;
 def ShownConstant : OneConstant<"S"> { let max = 9999; }
 def PanelRegister : BlockIn<"S", 1, Classes<[DevD]>> {
   let indexable = 0;
