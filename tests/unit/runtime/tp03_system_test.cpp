@@ -26,6 +26,8 @@ TEST(Tp03System, StartsInRun) {
   EXPECT_EQ(p.d(8000), 200);
   EXPECT_EQ(p.d(8177), 7);
   EXPECT_EQ(p.d(8377), 4);
+  EXPECT_EQ(p.d(8124), 2);
+  EXPECT_EQ(p.d(8325), 3);
   EXPECT_EQ(p.m(8004), off);
 }
 
