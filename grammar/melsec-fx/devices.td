@@ -86,10 +86,12 @@ def DevR : Device<"R", "extension register", Word, 10, 32768> {
   let behaviour = "As D, all of them latched.";
 }
 def DevV : Device<"V", "index register", Word, 10, 8> {
+  let survivesStop = 1;
   let behaviour = "16 bits that modify the number of an operand (D20V0), or data. High word of the pair (Vn, Zn), which 32-bit "
                   "instructions name by Zn.";
 }
 def DevZ : Device<"Z", "index register", Word, 10, 8> {
+  let survivesStop = 1;
   let highWords = "V";
   let behaviour = "As V; low word of the pair (Vn, Zn), and the index of 32-bit instructions.";
 }

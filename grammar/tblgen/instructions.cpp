@@ -157,7 +157,8 @@ std::string device_text(const FamilyRecords &family, const Record &r, Arrays &ar
       << quoted(r.getValueAsString("image")) << ", " << r.getValueAsInt("pointsRegister") << ", "
       << quoted(r.getValueAsString("behaviour")) << ", " << quoted(r.getValueAsString("section")) << ", "
       << quoted(r.getValueAsString("container")) << ", " << quoted(r.getValueAsString("beginHook")) << ", "
-      << quoted(r.getValueAsString("endHook")) << ", " << r.getValueAsInt("watched") << ", " << r.getValueAsInt("first") << ", "
+      << quoted(r.getValueAsString("endHook")) << ", " << flag(r.getValueAsBit("survivesStop")) << ", "
+      << r.getValueAsInt("watched") << ", " << r.getValueAsInt("first") << ", "
       << r.getValueAsInt("nameDigits") << ", " << high << ", " << missing << ", " << latched << ", " << exclusive << ", " << terminals
       << "}";
   return result;

@@ -88,10 +88,12 @@ def DevDS : Device<"D", "special register", Word, 10, 512> {
   let behaviour = "Data of the controller and settings for it, see the list of special devices.";
 }
 def DevV : Device<"V", "index register", Word, 10, 16> {
+  let survivesStop = 1;
   let behaviour = "16 bits that modify the number of an operand (D20V0), or data. High word of the pair (Vn, Zn), which 32-bit "
                   "instructions name by Zn.";
 }
 def DevZ : Device<"Z", "index register", Word, 10, 16> {
+  let survivesStop = 1;
   let highWords = "V";
   let behaviour = "As V; low word of the pair (Vn, Zn), and the index of 32-bit instructions.";
 }
