@@ -110,7 +110,7 @@ TEST(Tblgen, RefusesAStatusCallWithoutErrorCode) {
   expect_message(check_family("let style = StyleStatus; let function = \"f\";"), "a Status call can fail and needs an errorCode");
   expect_message(check_family("let style = StyleStatus; let function = \"f\"; let errorCode = 4101;"),
                  "the family has no error code 4101");
-  expect_message(check_family("let errorCode = 4100;"), "only a Status call has an errorCode");
+  expect_message(check_family("let errorCode = 4100;"), "only a Status or Memory call has an errorCode");
 }
 
 TEST(Tblgen, RefusesMissingTexts) {
