@@ -224,7 +224,7 @@ private:
     rung.range = instruction.range;
     blocks_.clear();
     branches_.clear();
-    bus_condition_of_ = bus_ = active_ = ir::kNoValue;
+    bus_condition_of_ = bus_ = active_ = pulse_ = ir::kNoValue;
   }
 
   // ---- building operations
@@ -233,6 +233,8 @@ private:
     o.op = op;
     o.step = current_->step;
     ended_ = op == Op::Return;
+    if (ir::is_flow(op))
+      pulse_ = ir::kNoValue;
     if (ir::is_value(op))
       o.result = rung().values++;
     return o;
@@ -257,8 +259,16 @@ private:
     Operation &o = append(kind == Execution::FallingEdge ? Op::Falling : Op::Rising);
     return finish_edge(o, memory, a);
   }
-  /// The edge that executes a P form.
+  /// The edge that executes a P form. Neighbours with one condition are executed together, so that one memory serves them all.
   ValueId pulse(Execution kind, ValueId a) {
+    if (pulse_ != ir::kNoValue && pulse_of_ == a && pulse_kind_ == kind)
+      return pulse_;
+    pulse_ = new_pulse(kind, a);
+    pulse_of_ = a;
+    pulse_kind_ = kind;
+    return pulse_;
+  }
+  ValueId new_pulse(Execution kind, ValueId a) {
     const bool skips_first_scan = kind == Execution::RisingEdge && !program_.family->first_scan_pulses;
     Operation &o = append(kind == Execution::FallingEdge ? Op::Falling : skips_first_scan ? Op::Pulse : Op::Rising);
     return finish_edge(o, new_edge(), a);
@@ -583,6 +593,8 @@ private:
   llvm::SmallVector<std::uint32_t, 8> open_loops_;
   llvm::SmallVector<ValueId, 16> blocks_;
   llvm::SmallVector<ValueId, 16> branches_;
+  ValueId pulse_ = ir::kNoValue, pulse_of_ = ir::kNoValue;  ///< the last P form's edge in this rung, and its condition
+  Execution pulse_kind_ = Execution::RisingEdge;
   std::vector<Bus> buses_;
   ValueId bus_ = ir::kNoValue, active_ = ir::kNoValue;  ///< loaded in this rung
   ValueId bus_condition_of_ = ir::kNoValue;             ///< `bus_condition_` is this value with the bus

@@ -9,7 +9,6 @@ static constexpr Pass kPipeline[] = {
     {"const-contact", run_const_contact, 1, "contacts of relays that are always on or always off become constants"},
     {"redundant-load", run_redundant_load, 1, "a contact that a rung has read already is not read again"},
     {"simplify", run_simplify, 1, "boolean rules: constants, complements, absorption, double inversion, common factors"},
-    {"shared-edge", run_shared_edge, 1, "edges of one result in one rung share a memory"},
     {"dead-coil", run_dead_coil, 2, "a coil that is written again before anyone can look is not written"},
     {"dead-value", run_dead_value, 1, "results that nobody uses are dropped"},
 };

@@ -57,7 +57,6 @@ const Pass *find_pass(llvm::StringRef name);
 
 void run_const_contact(ir::Module &, Context &);
 void run_redundant_load(ir::Module &, Context &);
-void run_shared_edge(ir::Module &, Context &);
 void run_simplify(ir::Module &, Context &);
 void run_dead_coil(ir::Module &, Context &);
 void run_dead_value(ir::Module &, Context &);

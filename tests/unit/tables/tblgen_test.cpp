@@ -156,7 +156,7 @@ TEST(Tblgen, PointsAtTheRecord) {
 
 std::string diagnostic(const std::string &id, const std::string &message, const std::string &body) {
   return R"(class Ref<string f> { string family = f; string section = ""; string plc = ""; }
-class Diagnostic { string id; string severity = "Error"; string message; string explanation = "e"; string wrong = ""; string right = "";
+class Diagnostic { string id; string severity = "Error"; string message; string explanation = "e"; string family = ""; string wrong = ""; string right = "";
                    list<Ref> references = []; }
 def One : Diagnostic { let id = ")" +
          id + "\"; let message = \"" + message + "\"; " + body + " }\n";
