@@ -85,8 +85,9 @@ void Ranges::finish() {
 // ---------------------------------------------------------------------------------------------- routines
 
 void Ranges::note_unreachable(InstructionIndex index) {
-  const Placement placement = context_.instruction(index).info->placement;
-  if (!ended_ || unreachable_ || placement == Placement::Label || placement == Placement::End)
+  const InstructionInfo &info = *context_.instruction(index).info;
+  const bool returns = info.lowering == Lowering::Return || info.lowering == Lowering::InterruptReturn;  // an error of their own
+  if (!ended_ || unreachable_ || returns || info.placement == Placement::Label || info.placement == Placement::End)
     return;
   unreachable_ = true;
   context_.report(DiagId::Unreachable, index).arg("mnemonic", text(index));
@@ -145,8 +146,6 @@ void Ranges::open_routine(InstructionIndex index, ScopeKind kind) {
 
 /// SRET and IRET.
 void Ranges::end_routine(InstructionIndex index, ScopeKind kind) {
-  if (ended_)
-    return;  // unreachable
   if (this->kind() == ScopeKind::Loop && goes_on(index, Lowering::LoopEnd, {Lowering::Loop, Lowering::Label})) {
     (void)is_forbidden(index, {true, false, false});
     return;
