@@ -38,6 +38,7 @@ class Device<string p, string t, DeviceKind k, int r, int n> {
   string container = "";       // runtime class template of the image, without ladder::
   string beginHook = "";       // function of System that gets the image before the program
   string endHook = "";         // ... and behind it
+  bit survivesStop = 0;        // cleared at power-off only, where the family clears others when it stops
   int watched = 0;             // so many of them act between the scans, too
   int first = 0;               // lowest number; points counts from there
   int nameDigits = 1;          // names have at least so many digits

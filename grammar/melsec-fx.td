@@ -9,7 +9,7 @@ include "tp03/instructions.td"
 include "tp03/special.td"
 include "tp03/errors.td"
 
-def MelsecFx : Family<"melsec-fx", "MELSEC FX (FX3U)", "TP03"> {
+def MelsecFx : Family<"melsec-fx", "MELSEC FX (FX3U; the instructions that it shares with the TP03)", "TP03"> {
   let header = "ladder/tp03.h";
   let ns = "tp03";
   let ops = "tp03";

@@ -21,6 +21,8 @@ static cl::opt<std::string> kScanTime("scan-time", cl::desc("One scan every 10ms
 static cl::opt<bool> kFreeRunning("free-running", cl::desc("Scan as fast as the machine can"), cl::cat(kProgram), cl::sub(kRun));
 static cl::opt<bool> kVirtual("virtual", cl::desc("Let the clock advance by the scan time in each scan, without waiting"), cl::cat(kProgram), cl::sub(kRun));
 static cl::opt<std::string> kStimulus("stimulus", cl::desc("Move the inputs: random:SEED, toggle or none"), cl::value_desc("HOW"), cl::cat(kProgram), cl::sub(kRun));
+static cl::list<std::string> kSerial("serial", cl::desc("Connect a serial port of the controller to one of this machine"), cl::value_desc("0=/dev/ttyUSB0"), cl::cat(kProgram), cl::sub(kRun));
+static cl::opt<std::string> kClock("clock", cl::desc("Set the controller's clock: system, or a date and time"), cl::value_desc("WHEN"), cl::cat(kProgram), cl::sub(kRun));
 static cl::opt<bool> kJson("json", cl::desc("Statistics as JSON"), cl::cat(kProgram), cl::sub(kRun));
 static cl::opt<bool> kQuiet("quiet", cl::desc("No statistics"), cl::cat(kProgram), cl::sub(kRun));
 
@@ -37,6 +39,9 @@ static std::vector<std::string> program_arguments() {
   add("--scans", kScans);
   add("--scan-time", kScanTime);
   add("--stimulus", kStimulus);
+  for (const std::string &value : kSerial)
+    add("--serial", value);
+  add("--clock", kClock);
   for (const auto &[name, given] : {std::pair<const char *, bool>{"--free-running", kFreeRunning}, {"--virtual", kVirtual}, {"--json", kJson}, {"--quiet", kQuiet}})
     if (given)
       arguments.emplace_back(name);

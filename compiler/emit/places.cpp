@@ -141,11 +141,21 @@ std::string subscript(const DeviceInfo &device, std::uint32_t number) {
 }
 
 ir::Place place_of(const FamilyInfo &family, const InitialValue &value) {
-  const auto [name, suffix] = llvm::StringRef(value.device).split(':');
-  const Operand operand = parse_operand(family, name, {});
-  const bool bit = operand.kind == OperandKind::BitOfWord ||
-                   (operand.kind == OperandKind::Device && family.devices[operand.device].kind == DeviceKind::Bit);
-  return ir::to_place(operand, bit ? OperandType::Bit : suffix.empty() ? OperandType::Word : OperandType::DWord);
+  auto [name, suffix] = llvm::StringRef(value.device).split(':');
+  Operand operand = parse_operand(family, name, {});
+  // TN0, CC0: a letter between the prefix and the number says which part of a timer or counter is meant.
+  char part = 0;
+  if (operand.kind == OperandKind::Invalid) {
+    const std::size_t digit = name.find_first_of("0123456789");
+    part = name[digit - 1];
+    operand = parse_operand(family, (name.take_front(digit - 1) + name.drop_front(digit)).str(), {});
+  }
+  const DeviceKind kind = family.devices[operand.device].kind;
+  const bool bit = operand.kind == OperandKind::BitOfWord || kind == DeviceKind::Bit || (kind != DeviceKind::Word && part != 'N' && suffix.empty());
+  const bool wide = !suffix.empty() || kind == DeviceKind::LongCounter;
+  ir::Place place = ir::to_place(operand, bit ? OperandType::Bit : wide ? OperandType::DWord : OperandType::Word);
+  place.bit = part == 'C' ? 1 : place.bit;  // of a timer or counter: the coil
+  return place;
 }
 
 std::string bit_text(const PlaceContext &context, const Place &place) {
@@ -157,7 +167,8 @@ std::string bit_text(const PlaceContext &context, const Place &place) {
   const std::string at = number_of(context, place);
   if (place.kind == PlaceKind::WordBit)
     return fmt::format("{}.bit({}, {})", device.image.str(), at, place.bit);
-  return fmt::format("{}[{}]{}", device.image.str(), at, has_value_member(device) ? ".contact" : "");
+  const char *member = !has_value_member(device) ? "" : place.bit ? ".coil" : ".contact";
+  return fmt::format("{}[{}]{}", device.image.str(), at, member);
 }
 
 std::string number_text(const PlaceContext &context, const Place &place) {

@@ -101,9 +101,9 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> ranges_to_clear(const Frame
 /// Clears what is latched or what is not, class by class.
 void write_clear_images(const Frame &frame, Writer &out, bool latched) {
   for (std::size_t id = 0; id < frame.layout.count.size(); ++id) {
-    if (!frame.own_image(static_cast<DeviceId>(id)))
-      continue;
     const DeviceInfo &device = frame.program.family->devices[id];
+    if (!frame.own_image(static_cast<DeviceId>(id)) || device.survives_stop)
+      continue;
     for (const auto &[first, last] : ranges_to_clear(frame, id, latched)) {
       const bool whole = first == device.first && last + 1 == device.first + frame.layout.count[id];
       out.text(whole ? fmt::format("{}.clear();", device.image.str())
@@ -126,6 +126,9 @@ void write_clear_memories(const Frame &frame, Writer &out) {
 void write_clear(const Frame &frame, Writer &out) {
   if (frame.program.family->clears_on_stop) {
     out.line("clear_unlatched();");
+    for (std::size_t id = 0; id < frame.layout.count.size(); ++id)
+      if (const DeviceInfo &device = frame.program.family->devices[id]; frame.layout.count[id] && device.survives_stop)
+        out.line("{}.clear();", device.image.str());
     out.line("restart();");
     return;
   }
@@ -143,13 +146,19 @@ void write_initial_values(const Frame &frame, Writer &out) {
   }
 }
 
-/// Periods of the interrupt routines that time raises, by the hundreds of their pointers.
-std::string interrupt_periods(const Frame &frame) {
-  std::uint32_t periods[3] = {};
-  for (const ir::Routine &routine : frame.module.routines)
-    if (routine.kind == ir::RoutineKind::Interrupt && routine.label >= 600 && routine.label < 900)
+/// Which events have a routine: periods of those that time raises, by the hundreds of their pointers, and edges of inputs.
+void write_interrupts(const Frame &frame, Writer &out) {
+  std::uint32_t periods[3] = {}, inputs = 0;
+  for (const ir::Routine &routine : frame.module.routines) {
+    if (routine.kind != ir::RoutineKind::Interrupt)
+      continue;
+    if (routine.label >= 600 && routine.label < 900)
       periods[routine.label / 100 - 6] = routine.label % 100;
-  return fmt::format("{{{}, {}, {}}},  // periods of timer interrupts, milliseconds", periods[0], periods[1], periods[2]);
+    else if (routine.label < 600 && routine.label % 100 < 2)
+      inputs |= 1U << (2 * (routine.label / 100) + routine.label % 100);
+  }
+  out.line("{{{}, {}, {}}},  // periods of timer interrupts, milliseconds", periods[0], periods[1], periods[2]);
+  out.line("0x{:04X},  // input interrupts that have a routine: X0 falling, X0 rising, X1 falling, ...", inputs);
 }
 
 /// The special register that tells the allocated points of each class, as the family numbers them.
@@ -157,7 +166,7 @@ void write_parameters(const Frame &frame, Writer &out) {
   const Parameters &p = frame.program.parameters;
   const Block block = out.block(fmt::format("constexpr {}::Parameters kParameters =", frame.program.family->ns.str()), "};");
   if (frame.program.family->clears_on_stop) {
-    out.text(interrupt_periods(frame));
+    write_interrupts(frame, out);
     return;
   }
   out.line("{},  // program name in the error information", quoted(fmt::format("{:<8.8}", p.program_name)));

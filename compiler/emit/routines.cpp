@@ -64,6 +64,7 @@ void write_dispatch(const Frame &frame, Writer &out, ir::RoutineKind kind, llvm:
 
 void write_run_interrupts(const Frame &frame, Writer &out) {
   const Block body = out.block(fmt::format("void {}::run_interrupts() noexcept", frame.class_name));
+  out.line("if (sys.routine_running()) return;  // they do not nest");
   const Block loop = out.block("for (int pointer = sys.next_interrupt(); pointer >= 0; pointer = sys.next_interrupt())");
   write_dispatch(frame, out, ir::RoutineKind::Interrupt, "pointer", "");
 }

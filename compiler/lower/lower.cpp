@@ -16,11 +16,11 @@
 // value. Subroutines and interrupt routines stand behind the last FEND. JCS is a jump to a label that the list does not name.
 #include "lower/lower.h"
 
-#include "llvm/ADT/DenseSet.h"
+#include "lower/plan.h"
+
 #include "llvm/ADT/STLExtras.h"
 
 #include <map>
-#include <optional>
 
 namespace ladderc {
 
@@ -31,17 +31,12 @@ using ir::Operation;
 using ir::Place;
 using ir::PlaceKind;
 using ir::ValueId;
-
-/// What switches the outputs of a region off: an MC, an SMCS. The innermost one's state contains those around it.
-struct Bus {
-  std::uint32_t master;  ///< master control state
-  bool has_level;        ///< MC: ended by the MCR of its level or an outer one; else by SMCR
-  unsigned level;
-};
+using lowering::Bus;
 
 class Lowerer {
 public:
-  explicit Lowerer(const CheckedProgram &program) : program_(program), list_(program.list.instructions) {
+  explicit Lowerer(const CheckedProgram &program)
+      : program_(program), list_(program.list.instructions), plan_(lowering::make_plan(program)) {
     module_.family = program.family;
     module_.name = program.parameters.program_name;
     module_.points = program.parameters.points;
@@ -50,7 +45,6 @@ public:
   }
 
   ir::Module run() {
-    plan();
     for (std::uint32_t i = 0; i < list_.size(); ++i) {
       const Instruction &instruction = list_[i];
       if (instruction.info->lowering == Lowering::End)
@@ -76,61 +70,17 @@ public:
 
 private:
   // ---- routines
-  /// Finds the end of the main program, what is called behind it, and the buses open at each label.
-  void plan() {
-    std::vector<Bus> buses;
-    for (std::uint32_t i = 0; i < list_.size() && list_[i].info->lowering != Lowering::End; ++i) {
-      const Instruction &instruction = list_[i];
-      const llvm::ArrayRef<Operand> operands = program_.list.operands_of(instruction);
-      switch (instruction.info->lowering) {
-      case Lowering::MainEnd:
-        main_end_ = i;
-        break;
-      case Lowering::CallRoutine:
-        called_.insert(static_cast<std::uint32_t>(operands[0].value));
-        calls_by_index_ |= operands[0].index != kNoDevice;
-        break;
-      case Lowering::Jump:
-        if (operands[0].index == kNoDevice)
-          jumped_.insert(static_cast<std::uint32_t>(operands[0].value));
-        break;
-      case Lowering::MasterControl:
-        buses.push_back({static_cast<std::uint32_t>(operands[0].value), true, static_cast<unsigned>(operands[0].value)});
-        break;
-      case Lowering::BusStart:
-        buses.push_back({program_.family->max_levels + bus_count_++, false, 0});
-        break;
-      case Lowering::MasterControlReset:
-      case Lowering::BusEnd:
-        close_buses(buses, instruction);
-        break;
-      case Lowering::Label:
-        label_buses_[static_cast<std::uint32_t>(operands[0].value)] = buses;
-        break;
-      default:
-        break;
-      }
-    }
-    bus_count_ = 0;
-  }
-
-  void close_buses(std::vector<Bus> &buses, const Instruction &end) const {
-    const bool of_level = end.info->lowering == Lowering::MasterControlReset;
-    const auto level = of_level ? static_cast<unsigned>(program_.list.operands_of(end)[0].value) : 0;
-    llvm::erase_if(buses, [&](const Bus &bus) { return bus.has_level == of_level && (!of_level || bus.level >= level); });
-  }
-
   /// A label behind the main program that is called, or the head of an interrupt routine.
   bool opens_routine(std::uint32_t index) const {
     const Instruction &instruction = list_[index];
-    if (!main_end_ || index < *main_end_)
+    if (!plan_.main_end || index < *plan_.main_end)
       return false;
     if (instruction.info->lowering == Lowering::InterruptLabel)
       return true;
     if (instruction.info->lowering != Lowering::Label)
       return false;
     const auto label = static_cast<std::uint32_t>(program_.list.operands_of(instruction)[0].value);
-    return called_.contains(label) || (calls_by_index_ && !jumped_.contains(label));
+    return plan_.called.contains(label) || (plan_.calls_by_index && !plan_.jumped.contains(label));
   }
 
   void open_routine(std::uint32_t index) {
@@ -224,7 +174,7 @@ private:
     rung.range = instruction.range;
     blocks_.clear();
     branches_.clear();
-    bus_condition_of_ = bus_ = active_ = ir::kNoValue;
+    bus_condition_of_ = bus_ = active_ = pulse_ = ir::kNoValue;
   }
 
   // ---- building operations
@@ -233,6 +183,8 @@ private:
     o.op = op;
     o.step = current_->step;
     ended_ = op == Op::Return;
+    if (ir::is_flow(op))
+      pulse_ = ir::kNoValue;
     if (ir::is_value(op))
       o.result = rung().values++;
     return o;
@@ -257,8 +209,16 @@ private:
     Operation &o = append(kind == Execution::FallingEdge ? Op::Falling : Op::Rising);
     return finish_edge(o, memory, a);
   }
-  /// The edge that executes a P form.
+  /// The edge that executes a P form. Neighbours with one condition are executed together, so that one memory serves them all.
   ValueId pulse(Execution kind, ValueId a) {
+    if (pulse_ != ir::kNoValue && pulse_of_ == a && pulse_kind_ == kind)
+      return pulse_;
+    pulse_ = new_pulse(kind, a);
+    pulse_of_ = a;
+    pulse_kind_ = kind;
+    return pulse_;
+  }
+  ValueId new_pulse(Execution kind, ValueId a) {
     const bool skips_first_scan = kind == Execution::RisingEdge && !program_.family->first_scan_pulses;
     Operation &o = append(kind == Execution::FallingEdge ? Op::Falling : skips_first_scan ? Op::Pulse : Op::Rising);
     return finish_edge(o, new_edge(), a);
@@ -437,7 +397,7 @@ private:
       return open_bus({program_.family->max_levels + bus_count_++, false, 0}, false);
     case Lowering::MasterControlReset:
     case Lowering::BusEnd:
-      close_buses(buses_, *current_);
+      close_buses(buses_, program_, *current_);
       return;
     case Lowering::CallWithResult: {
       ValueId on = condition();
@@ -545,7 +505,7 @@ private:
     const Place target = operand(0);
     if (info.lowering == Lowering::Jump && !target.is_indexed())
       // A jump into the range of an MC or SMCS finds it switched on.
-      for (const Bus &bus : label_buses_[target.number])
+      for (const Bus &bus : plan_.label_buses[target.number])
         if (llvm::none_of(buses_, [&](const Bus &open) { return open.master == bus.master; }))
           effect(Op::Set, master(bus.master), on);
     Operation &o = append(info.lowering == Lowering::Jump ? Op::Jump : Op::Gosub);
@@ -574,15 +534,14 @@ private:
   std::uint32_t index_ = 0;
   bool has_rung_ = false, in_state_ = false, states_entered_ = false;
   bool ended_ = false;  ///< the last operation was a Return
-  std::optional<std::uint32_t> main_end_;
-  llvm::DenseSet<std::uint32_t> called_, jumped_;
-  bool calls_by_index_ = false;
-  std::map<std::uint32_t, std::vector<Bus>> label_buses_;
+  lowering::Plan plan_;
   std::map<std::string, unsigned> regions_;  ///< of each state, by its routine's name
   std::uint32_t bus_count_ = 0, skips_ = 0;
   llvm::SmallVector<std::uint32_t, 8> open_loops_;
   llvm::SmallVector<ValueId, 16> blocks_;
   llvm::SmallVector<ValueId, 16> branches_;
+  ValueId pulse_ = ir::kNoValue, pulse_of_ = ir::kNoValue;  ///< the last P form's edge in this rung, and its condition
+  Execution pulse_kind_ = Execution::RisingEdge;
   std::vector<Bus> buses_;
   ValueId bus_ = ir::kNoValue, active_ = ir::kNoValue;  ///< loaded in this rung
   ValueId bus_condition_of_ = ir::kNoValue;             ///< `bus_condition_` is this value with the bus

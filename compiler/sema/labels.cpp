@@ -58,7 +58,8 @@ void Labels::enter(InstructionIndex index, const Resolved &resolved) {
 
 void Labels::report_missing(InstructionIndex index, const Operand &operand) const {
   const DeviceInfo &device = context_.device(operand);
-  context_.report(DiagId::NoSuchDevice, index, operand.range)
+  const bool interrupt = context_.instruction(index).info->lowering == Lowering::InterruptLabel;
+  context_.report(interrupt ? DiagId::NoSuchInterrupt : DiagId::NoSuchLabel, index, operand.range)
       .arg("operand", context_.text(operand.range))
       .arg("model", context_.model)
       .arg("numbers", numbers_text(context_.family, operand.device,

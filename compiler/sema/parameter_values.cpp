@@ -124,13 +124,16 @@ Problem read_value(llvm::StringRef name, const Json &json, const FamilyInfo &fam
   Operand operand;
   if (Problem problem = read_device(letter != 0 ? llvm::StringRef(without_letter) : device_text, family, parameters, operand))
     return problem;
-  bool word = letter == 'N' || (operand.kind == OperandKind::Device && family.devices[operand.device].kind == DeviceKind::Word);
-  bool pair = suffix == "d" || suffix == "u";
-  if (name.contains(':') && !(word && letter == 0 && pair))
+  bool wide_suffix = suffix == "d" || suffix == "u";
+  const bool long_counter = operand.kind == OperandKind::Device && family.devices[operand.device].kind == DeviceKind::LongCounter;
+  bool word = letter == 'N' || (operand.kind == OperandKind::Device && family.devices[operand.device].kind == DeviceKind::Word) ||
+              (long_counter && letter == 0 && wide_suffix);
+  bool pair = wide_suffix && !long_counter;
+  if (name.contains(':') && !(word && letter == 0 && wide_suffix))
     return fmt::format("'{}': a pair of words is written like D0:d or D0:u", name.str());
 
   std::int64_t min = 0, max = 1, width = 2;
-  const bool wide = letter == 'N' && family.devices[operand.device].kind == DeviceKind::LongCounter;
+  const bool wide = word && long_counter;
   if (word && (pair || wide)) {
     width = kTwoTo32;
     min = suffix == "u" ? 0 : -kTwoTo32 / 2;

@@ -85,8 +85,9 @@ void Ranges::finish() {
 // ---------------------------------------------------------------------------------------------- routines
 
 void Ranges::note_unreachable(InstructionIndex index) {
-  const Placement placement = context_.instruction(index).info->placement;
-  if (!ended_ || unreachable_ || placement == Placement::Label || placement == Placement::End)
+  const InstructionInfo &info = *context_.instruction(index).info;
+  const bool returns = info.lowering == Lowering::Return || info.lowering == Lowering::InterruptReturn;  // an error of their own
+  if (!ended_ || unreachable_ || returns || info.placement == Placement::Label || info.placement == Placement::End)
     return;
   unreachable_ = true;
   context_.report(DiagId::Unreachable, index).arg("mnemonic", text(index));
@@ -145,8 +146,6 @@ void Ranges::open_routine(InstructionIndex index, ScopeKind kind) {
 
 /// SRET and IRET.
 void Ranges::end_routine(InstructionIndex index, ScopeKind kind) {
-  if (ended_)
-    return;  // unreachable
   if (this->kind() == ScopeKind::Loop && goes_on(index, Lowering::LoopEnd, {Lowering::Loop, Lowering::Label})) {
     (void)is_forbidden(index, {true, false, false});
     return;
@@ -169,9 +168,8 @@ void Ranges::end_routine(InstructionIndex index, ScopeKind kind) {
   } else if (excused_returns_ > 0) {
     --excused_returns_;
   } else {
-    context_.report(DiagId::ReturnInMain, index)
-        .arg("mnemonic", text(index))
-        .arg("what", kind == ScopeKind::Subroutine ? "subroutine" : "interrupt routine");
+    const bool subroutine = kind == ScopeKind::Subroutine;
+    context_.report(subroutine ? DiagId::ReturnInMain : DiagId::InterruptNotBegun, index).arg("mnemonic", text(index));
   }
 }
 
@@ -321,6 +319,18 @@ void Ranges::close_ranges(InstructionIndex index, Lowering kind) {
 
 // ---------------------------------------------------------------------------------------------- scopes
 
+DiagId Ranges::misplaced(InstructionIndex index, ScopeKind around) const {
+  using enum Lowering;
+  const Lowering what = lowering(index);
+  if (around == ScopeKind::Loop)
+    return DiagId::InLoop;
+  if (around == ScopeKind::State) {
+    const bool switches = what == MasterControl || what == MasterControlReset || what == BusStart || what == BusEnd;
+    return switches || what == Return ? DiagId::InState : DiagId::RoutineInState;
+  }
+  return what == MainEnd ? DiagId::EndInRoutine : DiagId::InRoutine;
+}
+
 bool Ranges::is_forbidden(InstructionIndex index, Forbidden where) {
   for (ScopeIndex s = scope_; s != kMainScope; s = scopes_[s].parent) {
     const Scope &scope = scopes_[s];
@@ -328,7 +338,7 @@ bool Ranges::is_forbidden(InstructionIndex index, Forbidden where) {
     const bool routine = scope.kind == ScopeKind::Subroutine || scope.kind == ScopeKind::Interrupt;
     if (!((loop && where.in_loop) || (state && where.in_state) || (routine && where.in_routine)))
       continue;
-    DiagBuilder builder = context_.report(loop ? DiagId::InLoop : state ? DiagId::InState : DiagId::InRoutine, index);
+    DiagBuilder builder = context_.report(misplaced(index, scope.kind), index);
     builder.arg("mnemonic", text(index));
     if (routine)
       builder.arg("label", text(scope.opened_by));
@@ -443,7 +453,7 @@ std::string Ranges::scope_name(ScopeIndex index) const {
   case ScopeKind::Interrupt:
     return "the routine " + text(scope.opened_by);
   case ScopeKind::Loop:
-    return "a loop";
+    return "the loop";
   case ScopeKind::State:
     return "the state " + context_.text(operand(scope.opened_by).range).str();
   }

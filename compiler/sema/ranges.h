@@ -82,6 +82,7 @@ private:
     bool in_loop = true, in_state = true, in_routine = true;
   };
   bool is_forbidden(InstructionIndex index, Forbidden where);
+  DiagId misplaced(InstructionIndex index, ScopeKind around) const;
   void push_scope(ScopeKind kind, InstructionIndex index);
   void pop_scope();
   void unwind(ScopeIndex to);

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "melsec-fx.inc"
 #include "melsec-qs.inc"
 #include "tp03.inc"
 
@@ -19,6 +20,7 @@ namespace {
 
 // Alphabetical by id. A new family is its file in grammar/, its name in grammar/CMakeLists.txt, and a line here and above.
 constexpr FamilyInfo kFamilies[] = {
+    melsec_fx_tables::kFamily,
     melsec_qs_tables::kFamily,
     tp03_tables::kFamily,
 };

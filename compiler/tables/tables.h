@@ -67,6 +67,7 @@ struct DeviceInfo {
   llvm::StringRef section;   ///< of the manual
   llvm::StringRef container; ///< runtime class template of the image, without `ladder::`; empty: by the kind
   llvm::StringRef begin_hook, end_hook;  ///< functions of System that get the image before and after the program; empty: none
+  bool survives_stop = false;  ///< cleared at power-off only, where the family clears others when it stops
   std::uint8_t watched = 0;  ///< so many of them act between the scans, too, in programs with interrupts or high-speed counters
   std::uint32_t first = 0;   ///< lowest number; two classes may share a prefix where their numbers do not (M0 on, M8000 on)
   std::uint8_t name_digits = 1;  ///< names are written with at least so many digits: I001

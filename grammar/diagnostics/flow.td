@@ -18,6 +18,19 @@ def LabelUndefined : FlowError<"label-undefined", "{mnemonic} names {label}, whi
   let right = "LD X0\nCJ P8\nLD X1\nOUT Y1\nP8\nLD X2\nOUT Y2\nEND\n";
   let references = [TP<"2.10", "6606">, TP<"7.2", "6701">];
 }
+def NoSuchLabel : FlowError<"no-such-label", "{model} has no label {operand}; it has {numbers}"> {
+  let explanation = [{Types of a controller differ in how many labels they have.}];
+  let wrong = "LD X0\nCJ P256\nLD X1\nOUT Y0\nP256\nEND\n";
+  let right = "LD X0\nCJ P255\nLD X1\nOUT Y0\nP255\nEND\n";
+  let references = [TP<"2.10", "6507">];
+}
+def NoSuchInterrupt : FlowError<"no-such-interrupt", "{model} has no interrupt pointer {operand}; it has {numbers}"> {
+  let explanation = [{The number of an interrupt pointer says what interrupts: I<n>00 and I<n>01 the edges of input Xn, I6xx to I8xx a time
+of xx milliseconds from 10 on, I010 to I060 the comparison of a high-speed counter.}];
+  let wrong = "EI\nFEND\nI605\nLD M8000\nINC D0\nIRET\nEND\n";
+  let right = "EI\nFEND\nI610\nLD M8000\nINC D0\nIRET\nEND\n";
+  let references = [TP<"2.10", "6508">];
+}
 def EndLabel : FlowError<"end-label", "{label} means END; {what}"> {
   let explanation = [{This label stands for the END of the program. CJ can jump to it without its being placed; a subroutine cannot begin there.}];
   let wrong = "LD X0\nCJ P63\nLD X1\nOUT Y0\nP63\nEND\n";
@@ -76,11 +89,17 @@ def RoutineInMain : FlowError<"routine-in-main", "{label} is a routine and stand
   let right = "EI\nFEND\nI001\nLD X0\nOUT Y0\nIRET\nEND\n";
   let references = [TP<"7.4", "6607">];
 }
-def ReturnInMain : FlowError<"return-in-main", "{mnemonic}, but no {what} has begun here"> {
-  let explanation = [{SRET ends a subroutine, which a label behind FEND begins; IRET ends an interrupt routine, which its pointer begins.}];
+def ReturnInMain : FlowError<"return-in-main", "{mnemonic}, but no subroutine has begun here"> {
+  let explanation = [{SRET ends a subroutine, which a label behind FEND begins.}];
   let wrong = "LD X0\nOUT Y0\nSRET\nEND\n";
   let right = "LD X0\nCALL P1\nFEND\nP1\nLD X0\nOUT Y0\nSRET\nEND\n";
-  let references = [TP<"7.4", "6607">, TP<"7.4", "6615">];
+  let references = [TP<"7.4", "6607">];
+}
+def InterruptNotBegun : FlowError<"interrupt-not-begun", "{mnemonic}, but no interrupt routine has begun here"> {
+  let explanation = [{IRET ends an interrupt routine, which its pointer behind FEND begins.}];
+  let wrong = "LD X0\nOUT Y0\nIRET\nEND\n";
+  let right = "EI\nFEND\nI001\nLD X0\nOUT Y0\nIRET\nEND\n";
+  let references = [TP<"7.4", "6615">];
 }
 def SubroutineNotEnded : FlowError<"subroutine-not-ended", "no SRET ends the subroutine {label}"> {
   let explanation = [{A subroutine goes from its label to SRET, which returns to the instruction behind the call.}];
@@ -110,17 +129,29 @@ inside of them.}];
   let references = [TP<"7.2", "6607">];
 }
 def InState : FlowError<"in-state", "{mnemonic} stands inside of a state of the step ladder, which goes up to RET"> {
-  let explanation = [{A state switches its rungs by itself: master control, routines and the ends of programs cannot stand between STL and RET.}];
+  let explanation = [{A state switches its rungs by itself: MC, SMCS and their ends cannot stand between STL and RET, and neither can SRET.}];
   let wrong = "LD M8002\nSET S0\nSTL S0\nLD X0\nMC N0 M100\nLD X1\nOUT Y0\nMCR N0\nRET\nEND\n";
   let right = "LD M8002\nSET S0\nSTL S0\nLD X0\nAND X1\nOUT Y0\nRET\nEND\n";
-  let references = [TP<"7.4", "6616">, TP<"7.2", "6605">];
+  let references = [TP<"7.4", "6616">];
+}
+def RoutineInState : FlowError<"routine-in-state", "{mnemonic} stands inside of a state of the step ladder, which goes up to RET"> {
+  let explanation = [{Routines and the ends of programs cannot stand between STL and RET.}];
+  let wrong = "LD M8002\nSET S0\nSTL S0\nLD X0\nOUT Y0\nFEND\nRET\nEND\n";
+  let right = "LD M8002\nSET S0\nSTL S0\nLD X0\nOUT Y0\nRET\nFEND\nEND\n";
+  let references = [TP<"7.2", "6605">];
 }
 def InRoutine : FlowError<"in-routine", "{mnemonic} stands inside of the routine {label}"> {
-  let explanation = [{Subroutines and interrupt routines hold rungs, loops, jumps and calls. Master control, step ladders, other routines and the
-ends of programs cannot stand inside of them.}];
+  let explanation = [{Subroutines and interrupt routines hold rungs, loops, jumps and calls. Master control, step ladders and other routines cannot
+stand inside of them.}];
   let wrong = "LD X0\nCALL P0\nFEND\nP0\nSTL S20\nOUT Y0\nRET\nSRET\nEND\n";
   let right = "LD X0\nCALL P0\nFEND\nP0\nLD X1\nOUT Y0\nSRET\nEND\n";
-  let references = [TP<"7.2", "6606">, TP<"7.2", "6709">];
+  let references = [TP<"7.2", "6606">];
+}
+def EndInRoutine : FlowError<"end-in-routine", "{mnemonic} stands inside of the routine {label}"> {
+  let explanation = [{A subroutine ends with SRET and an interrupt routine with IRET. The end of the program cannot stand before it.}];
+  let wrong = "LD X0\nCALL P1\nFEND\nP1\nLD M8000\nINC D0\nFEND\nSRET\nEND\n";
+  let right = "LD X0\nCALL P1\nFEND\nP1\nLD M8000\nINC D0\nSRET\nEND\n";
+  let references = [TP<"7.2", "6709">];
 }
 def InMaster : FlowError<"in-master", "{mnemonic} stands inside of the region of {region}"> {
   let explanation = [{A region that a condition switches lies on one side of the ends of programs and routines.}];
@@ -132,7 +163,7 @@ def RangesCross : FlowError<"ranges-cross", "{mnemonic} ends a range that begins
   let explanation = [{A range lies inside of another one or outside; it cannot end inside of a loop, a state or a routine that began behind it.}];
   let wrong = "LD X0\nJCS\nFOR K2\nLD X1\nINC D0\nJCR\nNEXT\nEND\n";
   let right = "LD X0\nJCS\nFOR K2\nLD X1\nINC D0\nNEXT\nJCR\nEND\n";
-  let references = [TP<"7.2", "6607">, TP<"7.2", "6605">];
+  let references = [TP<"7.2", "6607">];
 }
 
 // ---------------------------------------------------------------------------------------------- loops

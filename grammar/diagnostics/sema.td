@@ -96,7 +96,7 @@ def NoSuchDevice : Error<"no-such-device", "{model} has no {operand}; it has {nu
   let family = "tp03";
   let wrong = "LD X0\nOUT C250 K10\nEND\n";
   let right = "LD X0\nOUT C249 K10\nEND\n";
-  let references = [TP<"2.2", "6505">, TP<"2.10", "6507">, TP<"2.10", "6508">];
+  let references = [TP<"2.2", "6505">];
 }
 def OperandNumber : Error<"operand-number", "{mnemonic} takes {allowed} as {name}, '{operand}' stands there"> {
   let explanation = [{The device is of the right kind, but this position takes some of its numbers only: an instruction of one sort of timer does
@@ -191,7 +191,7 @@ def RunsOffMemory : Error<"runs-off-memory", "'{operand}' is {count} {unit} long
 could use: the memory ends, has a gap, or goes on with timers and counters.}];
   let wrong = "LD X0\nDMOV K1 SD5119\nEND\n";
   let right = "LD X0\nDMOV K1 SD5118\nEND\n";
-  let references = [QS<"3.4">, TP<"2.9", "6505">, TP<"7.4", "6706">];
+  let references = [QS<"3.4">, TP<"7.4", "6706">];
 }
 
 // ---------------------------------------------------------------------------------------------- blocks and rungs
@@ -207,7 +207,7 @@ def NeedsCondition : Error<"needs-condition", "{mnemonic} needs a contact before
 behind MCR there is none yet. For an output that always acts, put the always-ON relay before it.}];
   let wrong = "MEP\nOUT Y10\nEND\n";
   let right = "LD X0\nMEP\nOUT Y10\nEND\n";
-  let references = [QS<"5.2.3">, QS<"5.2.4">, QS<"5.2.5">, QS<"5.3.1">, TP<"3.10", "6501">, TP<"4.2", "6604">];
+  let references = [QS<"5.2.3">, QS<"5.2.4">, QS<"5.2.5">, QS<"5.3.1">, TP<"3.10", "6501">];
 }
 def ContactExpected : Error<"contact-expected", "{mnemonic} stands directly behind {before}; a contact of the LD type goes before it"> {
   let explanation = [{What SMCS or JCS begins does not hand its condition on to the next instruction as a result. A new rung begins behind it, with

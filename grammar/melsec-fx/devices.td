@@ -4,6 +4,9 @@
 // ranges are those of an FX3U. R goes wherever D goes. "section" is where the TP03 manual treats the class. High-speed counters
 // have the inputs that the TP03 gives them; C250 and C255, which it lacks, are missing here too.
 
+// The models that have what the smallest ones of the TP03 lack.
+defvar LargeModels = ["FX3U"];
+
 let section = "2.2-2.3" in {
 def DevX : Device<"X", "input", Bit, 8, 256> {
   let externalInput = 1;
@@ -83,10 +86,12 @@ def DevR : Device<"R", "extension register", Word, 10, 32768> {
   let behaviour = "As D, all of them latched.";
 }
 def DevV : Device<"V", "index register", Word, 10, 8> {
+  let survivesStop = 1;
   let behaviour = "16 bits that modify the number of an operand (D20V0), or data. High word of the pair (Vn, Zn), which 32-bit "
                   "instructions name by Zn.";
 }
 def DevZ : Device<"Z", "index register", Word, 10, 8> {
+  let survivesStop = 1;
   let highWords = "V";
   let behaviour = "As V; low word of the pair (Vn, Zn), and the index of 32-bit instructions.";
 }
@@ -112,6 +117,9 @@ def DevI : Device<"I", "interrupt pointer", LabelDevice, 10, 900> {
 }
 }
 
+// What "D" means where an instruction has a list of its own: with special registers, and without.
+defvar DataRegisters = [DevD, DevDS, DevR];
+defvar PlainRegisters = [DevD, DevR];
 def ContactBits : Classes<[DevX, DevY, DevM, DevMS, DevS, DevT, DevC, DevCL]>;
 def CoilBits : Classes<[DevY, DevM, DevMS]>;
 def StepBits : Classes<[DevS]>;

@@ -310,11 +310,12 @@ void emit_family_docs(llvm::RecordKeeper &records, raw_ostream &out) {
   out << "# " << family.family->getValueAsString("title") << ": instructions\n\n"
       << "Made from `grammar/" << family.id() << ".td`; do not edit.\n\n"
       << "Sections are those of the " << family.family->getValueAsString("manual")
-      << " manual. Times are guide values of the real controller; a word instruction whose condition is OFF takes "
-      << microseconds(family.family->getValueAsInt("notExecutedStepNs"))
-      << " us for each step and one more. Steps \"2 or 3\": 2 where every operand is a constant, a word device or K4 digits from a "
-         "multiple "
-         "of 16.\n\n";
+      << " manual.";
+  if (const std::int64_t step = family.family->getValueAsInt("notExecutedStepNs"); step != 0)
+    out << " Times are guide values of the real controller; a word instruction whose condition is OFF takes " << microseconds(step)
+        << " us for each step and one more. Steps \"2 or 3\": 2 where every operand is a constant, a word device or K4 digits from a "
+           "multiple of 16.";
+  out << "\n\n";
   print_index(by_category, out);
   for (const auto &[category, in_category] : by_category) {
     out << "## " << category << "\n\n";

@@ -34,7 +34,8 @@ std::string quoted(StringRef text) {
 std::vector<StringRef> FamilyRecords::prefixes(const Record &classes, StringRef field) const {
   std::vector<StringRef> result;
   for (const Record *device : classes.getValueAsListOfDefs(field))
-    result.push_back(device->getValueAsString("prefix"));
+    if (StringRef prefix = device->getValueAsString("prefix"); !llvm::is_contained(result, prefix))
+      result.push_back(prefix);  // classes may share one
   return result;
 }
 

@@ -10,6 +10,7 @@
 #include "llvm/ADT/StringMap.h"
 #include "llvm/Support/FormatVariadic.h"
 
+#include <algorithm>
 #include <string>
 
 namespace ladderc::tblgen {
@@ -156,7 +157,8 @@ std::string device_text(const FamilyRecords &family, const Record &r, Arrays &ar
       << quoted(r.getValueAsString("image")) << ", " << r.getValueAsInt("pointsRegister") << ", "
       << quoted(r.getValueAsString("behaviour")) << ", " << quoted(r.getValueAsString("section")) << ", "
       << quoted(r.getValueAsString("container")) << ", " << quoted(r.getValueAsString("beginHook")) << ", "
-      << quoted(r.getValueAsString("endHook")) << ", " << r.getValueAsInt("watched") << ", " << r.getValueAsInt("first") << ", "
+      << quoted(r.getValueAsString("endHook")) << ", " << flag(r.getValueAsBit("survivesStop")) << ", "
+      << r.getValueAsInt("watched") << ", " << r.getValueAsInt("first") << ", "
       << r.getValueAsInt("nameDigits") << ", " << high << ", " << missing << ", " << latched << ", " << exclusive << ", " << terminals
       << "}";
   return result;
@@ -196,8 +198,10 @@ void emit_family(llvm::RecordKeeper &records, raw_ostream &out) {
   FamilyRecords family = read_family(records);
   const Record &r = *family.family;
   auto integer = [&](StringRef field) { return std::to_string(r.getValueAsInt(field)); };
+  std::string tables = family.id().str() + "_tables";
+  std::replace(tables.begin(), tables.end(), '-', '_');
   out << "// Written by ladder-tblgen from grammar/" << family.id() << ".td. Included by compiler/tables/tables.cpp.\n"
-      << "namespace ladderc::" << r.getValueAsString("ns") << "_tables {\n\n";
+      << "namespace ladderc::" << tables << " {\n\n";
   Arrays arrays(out);
   std::string models = arrays.strings(r.getValueAsListOfStrings("models"));
   std::string devices =
@@ -217,7 +221,7 @@ void emit_family(llvm::RecordKeeper &records, raw_ostream &out) {
       << flag(r.getValueAsBit("spacedOperands")) << ", " << integer("warnedBranches") << ", " << integer("maxLoops") << ", "
       << integer("maxCalls") << ", " << integer("maxMerge") << ", " << integer("endLabel") << ", "
       << quoted(r.getValueAsString("base")) << ", " << integer("warnedMerge")
-      << "};\n\n}  // namespace ladderc::" << r.getValueAsString("ns") << "_tables\n";
+      << "};\n\n}  // namespace ladderc::" << tables << "\n";
 }
 
 }  // namespace ladderc::tblgen

@@ -44,9 +44,9 @@ multiclass InPlace<string m, int n, string fn> {
   defm "" : PulsedBoth<m, n, Computes<fn, [0], [0]>, [Changed<"D", OpWord>], [Changed<"D", OpDWord>], 3, 5, "D0", "D0">;
 }
 // m S1 S2 D with a result of twice the width. That of 16-bit operands may go to an index register pair (Vn, Zn), a wider one not.
-def PairResults : Classes<[DevT, DevC, DevD, DevDS, DevZ], [], [DevY, DevM, DevMS, DevS]>;
-def ProductResults : Classes<[DevT, DevC, DevD, DevDS], [], [DevY, DevM, DevMS, DevS]>;
-def QuotientResults : Classes<[DevT, DevC, DevCL, DevD, DevDS], [], [DevY, DevM, DevMS, DevS]>;
+def PairResults : Classes<[DevT, DevC] # DataRegisters # [DevZ], [], [DevY, DevM, DevMS, DevS]>;
+def ProductResults : Classes<[DevT, DevC] # DataRegisters, [], [DevY, DevM, DevMS, DevS]>;
+def QuotientResults : Classes<[DevT, DevC, DevCL] # DataRegisters, [], [DevY, DevM, DevMS, DevS]>;
 multiclass Widening<string m, int n, Calling c, OperandType result16, OperandType result32, Classes places32> {
   defm "" : PulsedBoth<m, n, c, [Source<"S1", OpWord>, Source<"S2", OpWord>, Target<"D", result16, PairResults>],
                        [Source<"S1", OpDWord>, Source<"S2", OpDWord>, Target<"D", result32, places32>], 7, 13, "D0 D2 D4",

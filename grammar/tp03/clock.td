@@ -1,6 +1,6 @@
 // The calendar clock, F160-F167. Times are three words, hour, minute and second; not on the SR.
 
-defvar WithClock = ["TP03H", "TP03M"];
+defvar WithClock = LargeModels;
 defvar NoTime = "6706: an hour is not 0-23, or a minute or second not 0-59; nothing is written";
 
 class TimeIn<string n> : BlockIn<n, 3, ValueWords>;

@@ -65,8 +65,8 @@ class TableSize<string n, int most> : Count<n> {
   let min = 1;
   let max = most;
 }
-def SearchedPairs : Classes<[DevT, DevC, DevCL, DevD, DevDS], [], [DevX, DevY, DevM, DevMS, DevS]>;
-def FoundPairs : Classes<[DevT, DevC, DevCL, DevD, DevDS], [], [DevY, DevM, DevMS, DevS]>;
+def SearchedPairs : Classes<[DevT, DevC, DevCL] # DataRegisters, [], [DevX, DevY, DevM, DevMS, DevS]>;
+def FoundPairs : Classes<[DevT, DevC, DevCL] # DataRegisters, [], [DevY, DevM, DevMS, DevS]>;
 let category = "table" in {
 let section = "F61", title = "Search a table",
     errors = ["6706: n is not in 1 to 256 (DSER: 1 to 128)", "6706: n items from S1, or 5 from D, go beyond the last number"],

@@ -3,7 +3,7 @@
 // ---------------------------------------------------------------------------------------------- ZRST
 // One list for each way in which a run of devices is handed over; the function tells two classes of one such way apart. The rest
 // are the combinations that fail whenever they are executed.
-def ResetWords : Classes<[DevT, DevC, DevD, DevDS]>;
+def ResetWords : Classes<[DevT, DevC] # DataRegisters>;
 def ResetContacts : Classes<[DevY, DevM, DevMS, DevS, DevCL]>;
 class Mixed<string n, OperandType t, Classes c> : Operand<n, "In", t, c> {
   let indexable = 1;
@@ -77,7 +77,7 @@ defm BON : PulsedBoth<"BON", 44, MayFail<"bon", [0, 2], [1]>, [Source<"S", OpWor
                       [Source<"S", OpDWord>, BitOut<>, CheckedConstant<"n">], 7, 13, "D10 M0 K15", "D10 M0 K31">;
 }
 
-def MeanPairs : Classes<[DevT, DevC, DevCL, DevD, DevDS], [], [DevX, DevY, DevM, DevMS, DevS]>;
+def MeanPairs : Classes<[DevT, DevC, DevCL] # DataRegisters, [], [DevX, DevY, DevM, DevMS, DevS]>;
 let category = "arithmetic", section = "F45", title = "Mean value", errors = ["6706: n is not in 1 to 64"],
     description = "D becomes the sum of n signed words from S on, with D of n pairs, divided by n; the quotient is cut towards "
                   "0. The sum cannot overflow. Digits stand for one word after the other without a gap. Where fewer than n exist "
@@ -112,7 +112,7 @@ defm GBIN : PulsedBoth<"GBIN", 171, MayFail<"gbin", [0], [1]>, [Source<"S", OpWo
 // Operands of CRC are not indexable, those of CCD are.
 class CheckedBlock<string n, string dir> : Operand<n, dir, OpWordBlock, Registers>;
 class CheckCount<string n, bit index> : Count<n> { let indexable = index; }
-def CodePlaces : Classes<[DevT, DevC, DevD, DevDS], [], [DevM, DevMS, DevS]>;
+def CodePlaces : Classes<[DevT, DevC] # DataRegisters, [], [DevM, DevMS, DevS]>;
 let category = "string", section = "F84", title = "Check code: sum and parity",
     errors = ["6706: n is not in 1 to 256", "6706: S or D goes beyond the last number of its device"],
     description = "Of n bytes from S on, D becomes the sum, 16 bits without a sign that wrap round, and D + 1 the exclusive-or. "

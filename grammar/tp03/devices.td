@@ -1,6 +1,8 @@
 // Devices of the TP03, and which of them may stand where. Numbers and sizes: 2.2-2.10; latch ranges: 2.4-2.9 and the parameter table.
 
 defvar SR = "TP03SR";
+// The models that have what the smallest ones lack.
+defvar LargeModels = ["TP03H", "TP03M"];
 
 let section = "2.2-2.3" in {
 def DevX : Device<"X", "input", Bit, 8, 256> {
@@ -86,10 +88,12 @@ def DevDS : Device<"D", "special register", Word, 10, 512> {
   let behaviour = "Data of the controller and settings for it, see the list of special devices.";
 }
 def DevV : Device<"V", "index register", Word, 10, 16> {
+  let survivesStop = 1;
   let behaviour = "16 bits that modify the number of an operand (D20V0), or data. High word of the pair (Vn, Zn), which 32-bit "
                   "instructions name by Zn.";
 }
 def DevZ : Device<"Z", "index register", Word, 10, 16> {
+  let survivesStop = 1;
   let highWords = "V";
   let behaviour = "As V; low word of the pair (Vn, Zn), and the index of 32-bit instructions.";
 }
@@ -116,6 +120,9 @@ def DevI : Device<"I", "interrupt pointer", LabelDevice, 10, 900> {
 }
 }
 
+// What "D" means where an instruction has a list of its own: with special registers, and without.
+defvar DataRegisters = [DevD, DevDS];
+defvar PlainRegisters = [DevD];
 def ContactBits : Classes<[DevX, DevY, DevM, DevMS, DevS, DevT, DevC, DevCL]>;
 def CoilBits : Classes<[DevY, DevM, DevMS]>;
 def StepBits : Classes<[DevS]>;

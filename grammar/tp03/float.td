@@ -115,7 +115,7 @@ defm DEG : PulsedWide<"DEG", 137, Unary<"deg">, OnePlainReal, 9, "D10 D20">;
 
 // ---------------------------------------------------------------------------------------------- control loop
 class PlainRegister<string n> : SourceDevice<n, OpWord, Registers> { let indexable = 0; }
-def PlainDataRegisters : Classes<[DevD]>;
+def PlainDataRegisters : Classes<PlainRegisters>;
 def ParameterBlock : BlockChanged<"S3", 25, PlainDataRegisters> { let indexable = 0; }
 def PlainOutput : Changed<"D", OpWord, Registers> { let indexable = 0; }
 let section = "F88", category = "pid", title = "PID control loop",

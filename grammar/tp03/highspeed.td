@@ -118,5 +118,5 @@ class Density<int from, int to>
                     "window.";
 }
 def SPD : Density<0, 3>;
-def SPD_X4 : Density<4, 5> { let models = ["TP03H", "TP03M"]; }
+def SPD_X4 : Density<4, 5> { let models = LargeModels; }
 }

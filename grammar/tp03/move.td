@@ -1,8 +1,8 @@
 // Transfer of words, digits and octal bits: F12-F17, F81, F147.
 
 // Fill and block operands that the common roles do not have: index registers can be filled, pairs of counters too.
-def FilledBlocks : Classes<[DevT, DevC, DevD, DevDS, DevV, DevZ], [], [DevY, DevM, DevMS, DevS]>;
-def FilledPairBlocks : Classes<[DevT, DevC, DevCL, DevD, DevDS], [], [DevY, DevM, DevMS, DevS]>;
+def FilledBlocks : Classes<[DevT, DevC] # DataRegisters # [DevV, DevZ], [], [DevY, DevM, DevMS, DevS]>;
+def FilledPairBlocks : Classes<[DevT, DevC, DevCL] # DataRegisters, [], [DevY, DevM, DevMS, DevS]>;
 def IndexPairs : Classes<[DevZ]>;
 def InputDigits : Classes<[], [], [DevX]>;
 def OutputDigits : Classes<[], [], [DevY]>;

@@ -8,7 +8,7 @@ class OutputLines<string n, int length> : BitsOut<n, length, OutputBits> {
   let note = !if(length, "the first of " # length, "");
 }
 class OneConstant<string n> : Source<n, OpWord, NoDevices>;
-def PanelPairs : Classes<[DevT, DevC, DevCL, DevD, DevDS, DevZ]>;
+def PanelPairs : Classes<[DevT, DevC, DevCL] # DataRegisters # [DevZ]>;
 def ShownConstant : OneConstant<"S"> { let max = 9999; }
 def PanelRegister : BlockIn<"S", 1, Classes<[DevD]>> {
   let indexable = 0;
@@ -96,7 +96,7 @@ defm SEGL_constant : Plain<"SEGL", 74, Keeps<"SegmentLatch", [0, 1, 2], [1]>,
                            [ShownConstant, OutputLines<"D", 8>, Constant<"n", 0, 3>], 7, "K1234 Y10 K1">;
 }
 
-let section = "F192", models = ["TP03H", "TP03M"], title = "Show a text on the operator panel",
+let section = "F192", models = LargeModels, title = "Show a text on the operator panel",
     description = "Asks an OP07 or OP08 to show text D in its first line, and with n = 2 text D+1 in the second: D8280 and D8281 "
                   "become these numbers, D8295 and D8296 the number of the register S, whose value stands where the texts have "
                   "'#', and D8284 becomes 13. The panel answers with 13 in D8285; what is typed at '?' goes to the register behind "
@@ -154,7 +154,7 @@ let section = "F77", maxUses = 1, title = "Print characters over outputs",
 defm PR : Plain<"PR", 77, Keeps<"PrintCharacters", [0, 1], [1]>, [BlockIn<"S", 0, ValueWords>, OutputLines<"D", 10>], 5, "D300 Y0">;
 
 // ---------------------------------------------------------------------------------------------- F85, F86, F89
-let models = ["TP03H", "TP03M"] in {
+let models = LargeModels in {
 let section = "F85", title = "Read a potentiometer",
     description = "D becomes the position, 0 to 1023, of potentiometer S: 0 and 1 are those of the unit, 2 to 7 of the function "
                   "card. With the condition OFF nothing happens.",

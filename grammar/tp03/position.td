@@ -18,7 +18,7 @@ defvar Ends = " A condition that goes OFF behind the end switches M8029 off.";
 defvar InUse = "6706: D is neither Y0 nor Y1 after indexing, is in use, or stopped less than one scan ago";
 defvar InUse1 = "6706: D1 is neither Y0 nor Y1 after indexing, is in use, or stopped less than one scan ago";
 
-let models = ["TP03H", "TP03M"], category = "high-speed" in {
+let models = LargeModels, category = "high-speed" in {
 let section = "F57", title = "Output pulses",
     description = "Puts S2 pulses of S1 Hz out on D, ON for half of each; S2 = 0 is without end. The pulses do not depend on the "
                   "scan; the image of D shows their level at the beginning of the scan. S1 may change while pulses go out: the "

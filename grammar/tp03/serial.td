@@ -54,7 +54,7 @@ defvar Links = " Station 0 is the master and asks one slave after the other; eve
   "at a time, on the port that is driven first. The maker's telegrams are not known: it talks to programs of this compiler only. "
   "Condition OFF: leaves the port.";
 let category = "comm" in {
-let section = "F190", models = ["TP03H", "TP03M"], images = ["M", "D"], title = "Data link",
+let section = "F190", models = LargeModels, images = ["M", "D"], title = "Data link",
     description = "Up to 16 controllers share registers and relays. Each station s writes an area of its own that the link copies "
                   "to all others: with D8178 of the master 0, D10s to D10s+3; with 1 also M(2000+64s) to M(2031+64s); with 2, D10s "
                   "to D10s+7 and M(2000+64s) to M(2063+64s). D8173-D8175 show the station, the slaves and this mode." # Links,
@@ -71,7 +71,7 @@ defm DTLK2 : Plain<"DTLK2", 193, Keeps<"DataLink2", [0, 1, 2], [0]>, [LinkedRegi
 }
 
 // ---------------------------------------------------------------------------------------------- F191
-let section = "F191", models = ["TP03H", "TP03M"], images = ["X", "Y"], title = "Remote I/O",
+let section = "F191", models = LargeModels, images = ["X", "Y"], title = "Remote I/O",
     description = "The inputs X0-X37 of up to four slaves become inputs of the master, and outputs of the master become their "
                   "Y0-Y37. Slave 1 has X200-X237 and Y200-Y237 of the master, slave 2 X240 and Y240 on, slave 3 X300 and Y300 on, "
                   "slave 4 X340 and Y340 on. Station 0 is the master and asks one slave after the other. Settings, as they are "

@@ -195,8 +195,10 @@ def : UserRegister<8120, "communication format",
       "the port.", 1, "F80">;
 def : SystemRegister<8122, "RS: bytes to send", "So many are left.", 1, "F80">;
 def : SystemRegister<8123, "RS: bytes received", "So many have come.", 1, "F80">;
-def : UserRegister<8124, "RS: header", "The character in front of a message, where D8120 asks for one.", 1, "F80">;
-def : UserRegister<8125, "RS: terminator", "The character behind a message, where D8120 asks for one.", 1, "F80">;
+def : UserRegister<8124, "RS: header",
+      "The character in front of a message, where D8120 asks for one; 2 (STX) at power-on.", 1, "F80">;
+def : UserRegister<8125, "RS: terminator",
+      "The character behind a message, where D8120 asks for one; 3 (ETX) at power-on.", 1, "F80">;
 def : UserRegister<8129, "RS: timeout", "Units of 10 ms, 5-255; any other number is 50 ms.", 1, "F80">;
 
 // -------------------------------------------------------------------------------- registers: pulse outputs
@@ -205,9 +207,9 @@ def : SystemRegister<8141, "position of Y0, high word", "Pulses that went out, l
 def : SystemRegister<8142, "position of Y1, low word", "Pulses that went out, less those backwards.", 1, "F156">;
 def : SystemRegister<8143, "position of Y1, high word", "Pulses that went out, less those backwards.", 1, "F156">;
 def : UserRegister<8145, "base speed", "Hz; of DRVI and DRVA, a tenth of the highest speed at most.", 1, "F158">;
-def : UserRegister<8146, "highest speed, low word", "Hz, 10-100000; of DRVI and DRVA.", 1, "F158">;
-def : UserRegister<8147, "highest speed, high word", "Hz, 10-100000; of DRVI and DRVA.", 1, "F158">;
-def : UserRegister<8148, "acceleration", "ms from standstill to the highest speed, 50-5000.", 1, "F158">;
+def : UserRegister<8146, "highest speed, low word", "Hz, 10-100000, of DRVI and DRVA; 0 is 100000.", 1, "F158">;
+def : UserRegister<8147, "highest speed, high word", "Hz, 10-100000, of DRVI and DRVA; 0 is 100000.", 1, "F158">;
+def : UserRegister<8148, "acceleration", "ms from standstill to the highest speed, 50-5000; 0 is 100.", 1, "F158">;
 
 // -------------------------------------------------------------------------------- registers: links, displays
 def : SystemRegister<8173, "DTLK: own station", "As it works.", 1, "F190">;

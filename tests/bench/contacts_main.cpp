@@ -2,18 +2,13 @@
 //
 // Both are compiled by the same compiler with the same flags in this run, linked into one program and measured in turns with the same
 // inputs; the outputs of every turn are compared. Prints ns per scan, the ratio, and the time from list to native program.
+#include "commands.h"
 #include "contact_program.h"
 
 #include <fmt/format.h>
 
-#include <chrono>
-#include <cstdio>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <string>
-
 namespace fs = std::filesystem;
+using namespace ladderc::bench;
 
 namespace {
 
@@ -70,19 +65,6 @@ int main() {
 }
 )cpp";
 
-void write(const fs::path &path, const std::string &text) { std::ofstream(path) << text; }
-
-int run(const std::string &command) {
-  std::fflush(stdout);
-  return std::system(command.c_str());
-}
-
-double timed(const std::string &command, int &code) {
-  const auto start = std::chrono::steady_clock::now();
-  code = run(command);
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
 }  // namespace
 
 int main(int argc, char **argv) {
@@ -102,8 +84,6 @@ int main(int argc, char **argv) {
   write(folder / "harness.cpp", kHarness);
   fmt::print("rungs {}\ninstructions {}\n", rungs, program.instructions);
 
-  const char *cxx = std::getenv("CXX");
-  const std::string compiler = cxx && *cxx ? cxx : "g++";
   const std::string in = "cd '" + folder.string() + "' && ";
   int code = 0;
   // A fresh cache: list to native must not be answered from an earlier run.
@@ -115,7 +95,7 @@ int main(int argc, char **argv) {
   fmt::print("list_to_native_s {:.2f}\n", native);
   run(in + "awk '/ms in all/ {print \"of_which_ladderc_ms\", $1}' stats.txt");
   if (run(in + "'" + ladderc + "' emit contacts.il -o . > /dev/null") ||
-      run(in + compiler + " -std=c++20 -O2 -fno-exceptions -fno-rtti -I'" + include + "' contacts*.cpp hand.cpp harness.cpp -o harness"))
+      run(in + compiler() + " -std=c++20 -O2 -fno-exceptions -fno-rtti -I'" + include + "' contacts*.cpp hand.cpp harness.cpp -o harness"))
     return 1;
   if (run(in + "./harness > result.txt"))
     code = 1;

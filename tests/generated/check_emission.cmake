@@ -1,6 +1,9 @@
-# Emits LIST twice at -O LEVEL, into OUTPUT and beside it, and compares: the same list gives the same bytes.
+# Emits LIST, of FAMILY where that is given, twice at -O LEVEL, into OUTPUT and beside it, and compares: the same list gives the same bytes.
 file(REMOVE_RECURSE ${OUTPUT} ${OUTPUT}.again)
 set(options -O${LEVEL} -g)
+if(FAMILY)
+  list(APPEND options --family=${FAMILY})
+endif()
 if(PARAMETERS)
   list(APPEND options --parameters=${PARAMETERS})
 endif()

@@ -20,48 +20,18 @@
 #include "ladder/tp03/system.h"
 #include "ladder/tp03/timer.h"
 
-#if __has_include("ladder/tp03/ops/arith.h")
 #include "ladder/tp03/ops/arith.h"
-#endif
-#if __has_include("ladder/tp03/ops/clock.h")
 #include "ladder/tp03/ops/clock.h"
-#endif
-#if __has_include("ladder/tp03/ops/compare.h")
 #include "ladder/tp03/ops/compare.h"
-#endif
-#if __has_include("ladder/tp03/ops/convenience.h")
 #include "ladder/tp03/ops/convenience.h"
-#endif
-#if __has_include("ladder/tp03/ops/data.h")
 #include "ladder/tp03/ops/data.h"
-#endif
-#if __has_include("ladder/tp03/ops/float.h")
 #include "ladder/tp03/ops/float.h"
-#endif
-#if __has_include("ladder/tp03/ops/highspeed.h")
 #include "ladder/tp03/ops/highspeed.h"
-#endif
-#if __has_include("ladder/tp03/ops/link.h")
 #include "ladder/tp03/ops/link.h"
-#endif
-#if __has_include("ladder/tp03/ops/move.h")
 #include "ladder/tp03/ops/move.h"
-#endif
-#if __has_include("ladder/tp03/ops/panel.h")
 #include "ladder/tp03/ops/panel.h"
-#endif
-#if __has_include("ladder/tp03/ops/pid.h")
 #include "ladder/tp03/ops/pid.h"
-#endif
-#if __has_include("ladder/tp03/ops/position.h")
 #include "ladder/tp03/ops/position.h"
-#endif
-#if __has_include("ladder/tp03/ops/serial.h")
 #include "ladder/tp03/ops/serial.h"
-#endif
-#if __has_include("ladder/tp03/ops/shift.h")
 #include "ladder/tp03/ops/shift.h"
-#endif
-#if __has_include("ladder/tp03/ops/text.h")
 #include "ladder/tp03/ops/text.h"
-#endif

@@ -35,7 +35,7 @@ TEST(Docs, EveryListGivesTheIrBelowIt) {
 
 TEST(Docs, EveryOperationIsExplained) {
   const std::string text = read_docs();
-  for (unsigned op = 0; op <= static_cast<unsigned>(ir::Op::Run); ++op) {
+  for (unsigned op = 0; op <= static_cast<unsigned>(ir::Op::EndScan); ++op) {
     const std::string name = ir::name(static_cast<ir::Op>(op)).str();
     EXPECT_TRUE(text.find("`" + name + " ") != std::string::npos || text.find(" = " + name + " ") != std::string::npos) << name;
   }

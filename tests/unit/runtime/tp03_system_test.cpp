@@ -26,6 +26,8 @@ TEST(Tp03System, StartsInRun) {
   EXPECT_EQ(p.d(8000), 200);
   EXPECT_EQ(p.d(8177), 7);
   EXPECT_EQ(p.d(8377), 4);
+  EXPECT_EQ(p.d(8124), 2);
+  EXPECT_EQ(p.d(8325), 3);
   EXPECT_EQ(p.m(8004), off);
 }
 
@@ -302,7 +304,9 @@ TEST(Tp03System, EndlessJumpsBackStopTheScan) {
   while (p.sys.may_jump_back())
     ++jumps;
   EXPECT_LE(jumps, 1000000);
+  p.sys.end_scan();
   EXPECT_FALSE(p.sys.running());
+  EXPECT_EQ(p.m(8000), off);
   EXPECT_EQ(p.d(8061), 6105);
 }
 

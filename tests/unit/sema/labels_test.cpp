@@ -20,10 +20,10 @@ TEST(LabelPlaces, MustBeThere) {
 }
 
 TEST(LabelPlaces, ANumberThatDoesNotExistIsOneError) {
-  EXPECT_THAT(tp03("LD X0\nCJ P256\nP256"), are("2:4 no-such-device"));
-  EXPECT_THAT(tp03("LD X0\nCJ P128\nP128", kTp03Sr), are("2:4 no-such-device"));
-  EXPECT_THAT(tp03("EI\nFEND\nI605\nLD M8000\nOUT Y0\nIRET"), are("3:1 no-such-device"));
-  EXPECT_THAT(tp03("EI\nFEND\nI401\nLD M8000\nOUT Y0\nIRET", kTp03Sr), are("3:1 no-such-device"));
+  EXPECT_THAT(tp03("LD X0\nCJ P256\nP256"), are("2:4 no-such-label"));
+  EXPECT_THAT(tp03("LD X0\nCJ P128\nP128", kTp03Sr), are("2:4 no-such-label"));
+  EXPECT_THAT(tp03("EI\nFEND\nI605\nLD M8000\nOUT Y0\nIRET"), are("3:1 no-such-interrupt"));
+  EXPECT_THAT(tp03("EI\nFEND\nI401\nLD M8000\nOUT Y0\nIRET", kTp03Sr), are("3:1 no-such-interrupt"));
 }
 
 TEST(LabelPlaces, TheLabelOfEnd) {
@@ -57,7 +57,7 @@ TEST(Jumps, LeaveLoopsButDoNotEnterThem) {
 }
 
 TEST(Jumps, TextsSayWhatIsCrossed) {
-  EXPECT_THAT(tp03_texts("LD X0\nCJ P1\nFOR K3\nP1\nNEXT"), are("the jump to P1 enters a loop; it cannot be compiled"));
+  EXPECT_THAT(tp03_texts("LD X0\nCJ P1\nFOR K3\nP1\nNEXT"), are("the jump to P1 enters the loop; it cannot be compiled"));
   EXPECT_THAT(tp03_texts("LD M8002\nSET S0\nSTL S0\nLD X0\nCJ P1\nRET\nP1"),
               are("the jump to P1 leaves the state S0; it cannot be compiled"));
 }

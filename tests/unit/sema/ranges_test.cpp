@@ -12,7 +12,7 @@ TEST(Routines, LieBehindTheMainProgram) {
   EXPECT_THAT(tp03("LD X0\nCALL P1\nFEND\nP1\nLD X1\nOUT Y0\nSRET\nP2\nLD X2\nOUT Y1\nFEND"),
               testing::Contains("4:1 routine-in-main"));
   EXPECT_THAT(tp03("LD X0\nOUT Y0\nSRET"), are("3:1 return-in-main"));
-  EXPECT_THAT(tp03("LD X0\nOUT Y0\nIRET"), are("3:1 return-in-main"));
+  EXPECT_THAT(tp03("LD X0\nOUT Y0\nIRET"), are("3:1 interrupt-not-begun"));
 }
 
 TEST(Routines, HaveTheirEnds) {
@@ -28,7 +28,7 @@ TEST(Routines, OneMayGoOnInTheNext) {
 }
 
 TEST(Routines, HoldNoOtherEnds) {
-  EXPECT_THAT(tp03("LD X0\nCALL P1\nFEND\nP1\nLD M8000\nINC D0\nFEND\nSRET"), are("7:1 in-routine"));
+  EXPECT_THAT(tp03("LD X0\nCALL P1\nFEND\nP1\nLD M8000\nINC D0\nFEND\nSRET"), are("7:1 end-in-routine"));
   EXPECT_THAT(tp03("LD X0\nCALL P0\nFEND\nP0\nSTL S20\nOUT Y0\nRET\nSRET"), are("5:1 in-routine"));
   EXPECT_THAT(tp03("LD X0\nCALL P0\nFEND\nP0\nLD X1\nMC N0 M0\nLD X2\nOUT Y0\nMCR N0\nSRET"), are("6:1 in-routine"));
   EXPECT_THAT(tp03("LD X0\nCALL P0\nFEND\nP0\nLD X1\nSMCS\nLD X2\nOUT Y0\nSMCR\nFOR K2\nNEXT\nSRET"), no_messages());
@@ -108,7 +108,7 @@ TEST(StateRanges, HoldNoRegionsAndNoEnds) {
   EXPECT_THAT(tp03("STL S0\nLD X0\nMC N0 M100\nLD X1\nOUT Y0\nMCR N0\nRET"), are("3:1 in-state"));
   EXPECT_THAT(tp03("STL S0\nLD X0\nSMCS\nLD X1\nOUT Y0\nSMCR\nRET"), are("3:1 in-state"));
   EXPECT_THAT(tp03("STL S0\nLD X0\nOUT Y0\nSRET\nRET"), are("4:1 in-state"));
-  EXPECT_THAT(tp03("STL S0\nLD X0\nOUT Y0\nFEND\nRET"), are("4:1 in-state"));
+  EXPECT_THAT(tp03("STL S0\nLD X0\nOUT Y0\nFEND\nRET"), are("4:1 routine-in-state"));
   EXPECT_THAT(tp03("LD X0\nMC N0 M0\nSTL S0\nLD X1\nOUT Y0\nMCR N0\nRET"), are("6:1 in-state"));
   EXPECT_THAT(tp03("LD X0\nMC N0 M0\nSTL S0\nLD X1\nOUT Y0\nRET\nMCR N0"), no_messages());
   EXPECT_THAT(tp03("STL S0\nFOR K2\nLD X0\nINC D0\nNEXT\nRET"), no_messages());

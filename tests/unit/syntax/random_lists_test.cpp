@@ -9,8 +9,8 @@
 namespace ladderc {
 namespace {
 
-void check(const std::string &list, ListFormat format) {
-  Parsed parsed(list, format);
+void check(const std::string &list, ListFormat format, const FamilyInfo &family = qs()) {
+  Parsed parsed(list, format, family);
   std::size_t next = 0;
   const std::size_t size = parsed.sources[0].text().size();
   for (const Instruction &instruction : parsed.program.instructions) {
@@ -23,7 +23,7 @@ void check(const std::string &list, ListFormat format) {
     for (const Operand &operand : parsed.program.operands_of(instruction)) {
       EXPECT_LE(operand.range.end(), size);
       EXPECT_TRUE(operand.kind != OperandKind::Invalid || !parsed.diagnostics.ok());
-      EXPECT_TRUE(operand.device == kNoDevice || operand.device < qs().devices.size());
+      EXPECT_TRUE(operand.device == kNoDevice || operand.device < family.devices.size());
     }
   }
   EXPECT_EQ(next, parsed.program.operands.size());
@@ -103,6 +103,22 @@ TEST(RandomLists, WordsThatListsAreMadeOf) {
     for (unsigned n = random() % 40; n > 0; --n)
       (list += kWords[random() % std::size(kWords)]) += random() % 5 == 0 ? "" : " ";
     check(list, round % 4 == 0 ? ListFormat::GxCsv : ListFormat::Auto);
+  }
+}
+
+TEST(RandomLists, WordsOfAFamilyWithBlanksInside) {
+  static constexpr const char *kWords[] = {
+      "LD",     "D",  "MOV", "P",    "F12",      "FNC",    "FD12P",  "(MOV)", "F00(CJ)", "S",      "20",  "K",       "-5",
+      "H",      "FF", "Y",   "010",  "D20V0",    "K4M0Z0", "K0Z0M0", "P8",    "P8:",     "I001",   "ASC", "\"a b\"", "abc",
+      "-drive", "--", "-",   "—",    "\n",       "\n",     ",",      "\t",    "OUT",     "I",      "NOT", "=",       "≠",
+      "D4(D5)", "(",  ")",   "C200", "X0Z99999", "END",    "12:",    "F12(",  "DF",      "F99999", "STL", ";",       "\r\n"};
+  std::mt19937 random(3);
+  for (unsigned round = 0; round < 6000; ++round) {
+    SCOPED_TRACE(round);
+    std::string list;
+    for (unsigned n = random() % 40; n > 0; --n)
+      (list += kWords[random() % std::size(kWords)]) += random() % 5 == 0 ? "" : " ";
+    check(list, round % 4 == 0 ? ListFormat::GxCsv : ListFormat::Auto, tp03());
   }
 }
 

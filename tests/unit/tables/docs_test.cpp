@@ -25,7 +25,9 @@ void expect_committed(const std::string &generated_name, const std::string &comm
 }
 
 TEST(GeneratedPage, MelsecQsInstructionsAreCommitted) {
+  expect_committed("melsec-fx.md", "docs/instructions/melsec-fx.md");
   expect_committed("melsec-qs.md", "docs/instructions/melsec-qs.md");
+  expect_committed("tp03.md", "docs/instructions/tp03.md");
 }
 
 TEST(GeneratedPage, DiagnosticsAreCommitted) {

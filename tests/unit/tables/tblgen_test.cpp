@@ -110,7 +110,7 @@ TEST(Tblgen, RefusesAStatusCallWithoutErrorCode) {
   expect_message(check_family("let style = StyleStatus; let function = \"f\";"), "a Status call can fail and needs an errorCode");
   expect_message(check_family("let style = StyleStatus; let function = \"f\"; let errorCode = 4101;"),
                  "the family has no error code 4101");
-  expect_message(check_family("let errorCode = 4100;"), "only a Status call has an errorCode");
+  expect_message(check_family("let errorCode = 4100;"), "only a Status or Memory call has an errorCode");
 }
 
 TEST(Tblgen, RefusesMissingTexts) {
@@ -156,7 +156,7 @@ TEST(Tblgen, PointsAtTheRecord) {
 
 std::string diagnostic(const std::string &id, const std::string &message, const std::string &body) {
   return R"(class Ref<string f> { string family = f; string section = ""; string plc = ""; }
-class Diagnostic { string id; string severity = "Error"; string message; string explanation = "e"; string wrong = ""; string right = "";
+class Diagnostic { string id; string severity = "Error"; string message; string explanation = "e"; string family = ""; string wrong = ""; string right = "";
                    list<Ref> references = []; }
 def One : Diagnostic { let id = ")" +
          id + "\"; let message = \"" + message + "\"; " + body + " }\n";

@@ -16,7 +16,7 @@ public:
   template <class S, class... Sources> constexpr void transfer(S &s, unsigned target, Sources... sources) noexcept {
     s[target] = on;
     left_[target] = off;
-    ((left_[sources] = on), ...);
+    ((left_[static_cast<unsigned>(sources)] = on), ...);
     any_ = true;
   }
 

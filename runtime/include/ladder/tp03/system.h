@@ -166,6 +166,18 @@ public:
 private:
   static constexpr std::uint32_t kJumps = 100000;
 
+  struct InitialValue {
+    unsigned number;
+    word value;
+  };
+  static constexpr InitialValue kInitialValues[] = {
+      {8000, 200},                        // watchdog, ms
+      {8124, 2},   {8125, 3},             // RS: STX, ETX
+      {8177, 7},   {8179, 3}, {8180, 5},  // data link: slaves, retries, timeout
+      {8324, 2},   {8325, 3},             // RS on the expansion port
+      {8377, 4},   {8379, 3}, {8380, 5},  // remote I/O
+  };
+
   bool is_on(unsigned relay) const noexcept { return static_cast<bool>(M[relay]); }
   void start_run() noexcept;
   void leave_run() noexcept;
@@ -199,13 +211,8 @@ inline void System::power_on(const Parameters &parameters) noexcept {
   parameters_ = parameters;
   M.clear();
   D.clear();
-  D[8000] = 200;  // watchdog, ms
-  D[8177] = 7;    // data link: slaves, retries, timeout
-  D[8179] = 3;
-  D[8180] = 5;
-  D[8377] = 4;  // remote I/O: likewise
-  D[8379] = 3;
-  D[8380] = 5;
+  for (const InitialValue &each : kInitialValues)
+    D[each.number] = each.value;
   relays_.restart();
   clock_.forget_setting();
   clock_.show(D);
@@ -293,6 +300,8 @@ inline bool System::begin_scan(Micros now) noexcept {
 }
 
 inline void System::end_scan() noexcept {
+  if (!running())  // an error stopped the program
+    return;
   show_run(on, off);
   clock_.exchange(M, D);
   ++scans_;
