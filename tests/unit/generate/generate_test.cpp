@@ -79,7 +79,7 @@ TEST_P(Profiles, ListsHaveNoErrorsInASmallAllocation) {
 
 TEST_P(Profiles, EachModelOfAFamilyWithControlFlow) {
   for (const llvm::StringRef model : tp03().models)
-    for (std::uint64_t seed = 0; seed < 100; ++seed) {
+    for (std::uint64_t seed = 0; seed < 40; ++seed) {
       GenerateOptions options = options_for(seed, GetParam(), tp03());
       options.model = model;
       options.parameters = default_parameters(tp03(), model);
