@@ -1,4 +1,5 @@
-// Bytes as a list file: decoding, reading, parsing, checking; what is accepted is lowered, optimized and written as C++.
+// Bytes as a list file of the family LADDERC_FUZZ_FAMILY: decoding, reading, parsing, checking; what is accepted is lowered, optimized
+// and written as C++.
 #include "emit/program.h"
 #include "lower/lower.h"
 #include "opt/pipeline.h"
@@ -10,7 +11,7 @@
 using namespace ladderc;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size) {
-  const FamilyInfo &family = *find_family("melsec-qs");
+  const FamilyInfo &family = *find_family(LADDERC_FUZZ_FAMILY);
   SourceSet sources;
   Diagnostics diagnostics(sources);
   const unsigned file = sources.add("fuzz.il", decode({reinterpret_cast<const char *>(data), size}).text);
