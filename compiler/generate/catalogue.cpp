@@ -66,7 +66,8 @@ unsigned weight_of(const InstructionInfo &info) {
 Catalogue::Catalogue(const GenerateOptions &options) {
   const llvm::StringRef model = options.model.empty() ? options.family->models.front() : options.model;
   for (const InstructionInfo &info : options.family->instructions)
-    if ((info.models.empty() || llvm::is_contained(info.models, model)) && in_profile(info, options))
+    if ((info.models.empty() || llvm::is_contained(info.models, model)) && in_profile(info, options) &&
+        (!options.accepts || options.accepts(info)))
       add(info);
 }
 

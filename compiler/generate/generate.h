@@ -8,6 +8,7 @@
 #include "tables/tables.h"
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -29,7 +30,9 @@ struct GenerateOptions {
   Parameters parameters;  ///< the allocation that device numbers stay in; begin with default_parameters()
   GenerateProfile profile = GenerateProfile::All;
   std::uint64_t seed = 1;
-  unsigned rungs = 20;  ///< at least so many
+  unsigned rungs = 20;                                   ///< at least so many
+  std::function<bool(const InstructionInfo &)> accepts;  ///< of the profile's instructions only these; empty: all
+  DeviceSet without = 0;                                 ///< classes that no operand names
 };
 
 /// A plain list that the check accepts without an error. There may be warnings: double coils and the like are worth testing.

@@ -43,6 +43,7 @@ OperandMaker::OperandMaker(const GenerateOptions &options, Random &random)
     runs_[id].push_back(family_.devices[id].first);
     special_numbers[id].resize(family_.devices[id].first + points(id));
   }
+  allocated_ &= ~options.without;
   for (const SpecialInfo &special : family_.specials) {
     const auto [first_text, last_text] = special.device.split('-');
     const Operand first = parse_operand(family_, first_text, {});

@@ -22,8 +22,8 @@ private:
     bool apart = false;  ///< in a routine
     bool in_state = false;
     bool in_master = false, in_bus = false, in_skip = false;  ///< an end closes all ranges of its kind
-    unsigned routine = 0;  ///< routines from here on may be called
-    std::string exit;      ///< a label behind the loops around it, or empty
+    unsigned routine = 0;                                     ///< routines from here on may be called
+    std::string exit;                                         ///< a label behind the loops around it, or empty
   };
   enum class Part : std::uint8_t {
     Rung,

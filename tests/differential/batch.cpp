@@ -4,6 +4,8 @@
 // -O0`, the other by -O2 of both. The two C++ compilers run side by side.
 #include "batch.h"
 
+#include "judge.h"
+
 #include "emit/program.h"
 #include "generate/random.h"
 #include "toolchain/toolchain.h"
@@ -139,6 +141,10 @@ Case make_case(const FamilyInfo &family, std::uint64_t seed) {
   if (!choices.empty())
     if (const auto problem = read_parameters(random.pick(llvm::ArrayRef(choices)), family, c.generate.parameters))
       llvm::errs() << *problem << "\n";
+  if (has_partial_judge(family) && seed % 2 == 0) {
+    c.generate.accepts = [&family](const InstructionInfo &info) { return is_judged(family, info); };
+    c.generate.without = not_judged(family);
+  }
   c.list = generate_list(c.generate);
   return c;
 }

@@ -5,8 +5,8 @@
 #pragma once
 
 #include "interpreter_system.h"
+#include "judge.h"
 #include "memory.h"
-#include "sema/check.h"
 
 #include <string>
 #include <vector>
@@ -73,18 +73,16 @@ struct Decoded {
 /// Throws std::runtime_error where nobody knows the mnemonic.
 Decoded decode_mnemonic(const std::string &spelling);
 
-class Interpreter {
+class Interpreter : public Judge {
 public:
   explicit Interpreter(const CheckedProgram &program);
-  /// True where it has a meaning for every mnemonic of the family.
-  static bool knows(const FamilyInfo &family);
+  static bool knows(const CheckedProgram &) { return true; }
 
-  void power_on();
-  void set_run(bool run);
-  void scan(std::uint32_t now_us);
-
-  Memory &memory() { return memory_; }
-  const SystemModel &system() const { return system_; }
+  void power_on() override;
+  void set_run(bool run) override;
+  void scan(std::uint32_t now_us) override;
+  DeviceArray &array(DeviceId id) override { return memory_.array(id); }
+  std::optional<std::string> state() const override { return state_text(system_.running(), system_.error(), system_.error_step()); }
 
 private:
   struct Region {

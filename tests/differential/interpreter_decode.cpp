@@ -96,14 +96,4 @@ Decoded decode_mnemonic(const std::string &spelling) {
   return found->second;
 }
 
-bool Interpreter::knows(const FamilyInfo &family) {
-  try {
-    for (const InstructionInfo &info : family.instructions)
-      (void)decode_mnemonic(info.spelling.str());
-  } catch (const std::runtime_error &) {
-    return false;
-  }
-  return true;
-}
-
 }  // namespace ladderc::differential

@@ -5,7 +5,7 @@
 #include "judges.h"
 
 #include "compiled_side.h"
-#include "interpreter.h"
+#include "judge.h"
 #include "stimulus.h"
 
 #include "sema/names.h"
@@ -25,11 +25,12 @@ public:
       : family_(*c.c.generate.family), stimulus_(family_, c.c.generate.parameters), random_(c.c.seed ^ 0x5EED),
         plain_(*c.plain_symbols, family_, c.c.generate.parameters),
         optimized_(*c.optimized_symbols, family_, c.c.generate.parameters) {
-    if (Interpreter::knows(family_))
-      interpreter_ = std::make_unique<Interpreter>(c.plain->program);
+    interpreter_ = make_judge(c.plain->program);
   }
 
-  std::optional<std::string> run(unsigned scans, unsigned &stops) {
+  std::optional<std::string> run(unsigned scans, Counts &counts) {
+    ++counts.programs;
+    counts.judged += interpreter_ != nullptr;
     power_on();
     unsigned stopped_since = 0;
     for (unsigned scan = 1; scan <= scans; ++scan) {
@@ -44,7 +45,7 @@ public:
       const ladder::Status status = plain_.status();
       if (status.mode != ladder::Mode::Run || status.running)
         continue;
-      stops += stopped_since == 0;
+      counts.stops += stopped_since == 0;
       if (++stopped_since > 2) {
         power_on();
         stopped_since = 0;
@@ -74,6 +75,8 @@ private:
 
   /// Where RUN to STOP clears devices, those that the program has no memory for are left alone: nobody would clear them.
   void write(const Poke &poke) {
+    if (interpreter_ && !interpreter_->keeps(poke.device))
+      return;
     if (family_.clears_on_stop && poke.index >= std::min(plain_.count(poke.device), optimized_.count(poke.device)))
       return;
     if (poke.is_bit) {
@@ -85,7 +88,7 @@ private:
     }
     if (!interpreter_)
       return;
-    DeviceArray &array = interpreter_->memory().array(poke.device);
+    DeviceArray &array = interpreter_->array(poke.device);
     if (poke.is_bit)
       array.on[poke.index] = poke.value != 0;
     else
@@ -116,7 +119,8 @@ private:
 
   std::optional<std::string> compare() {
     for (DeviceId id = 0; id < family_.devices.size(); ++id) {
-      const DeviceArray &a = plain_.read(id), &b = optimized_.read(id), &c = interpreter_ ? interpreter_->memory().array(id) : a;
+      const DeviceArray &a = plain_.read(id), &b = optimized_.read(id),
+                        &c = interpreter_ && interpreter_->keeps(id) ? interpreter_->array(id) : a;
       if (auto difference = differs(id, "", a.on, b.on, c.on))
         return difference;
       if (auto difference = differs(id, "coil of ", a.coil, b.coil, c.coil))
@@ -127,19 +131,11 @@ private:
         return difference;
     }
     const ladder::Status a = plain_.status(), b = optimized_.status();
-    auto state = [](bool running, unsigned error, std::uint32_t step) {
-      return fmt::format("{} with error {} at step {}", running ? "runs" : "stands", error, step);
-    };
-    const std::string at = state(a.running, a.error, a.step), bt = state(b.running, b.error, b.step);
-    if (interpreter_) {
-      const SystemModel &c = interpreter_->system();
-      const std::string ct = state(c.running(), c.error(), c.error_step());
-      if (at != bt || at != ct)
-        return fmt::format("-O0 {}, -O2 {}, the interpreter {}", at, bt, ct);
-    } else if (at != bt) {
-      return fmt::format("-O0 {}, -O2 {}", at, bt);
-    }
-    return std::nullopt;
+    const std::string at = state_text(a.running, a.error, a.step), bt = state_text(b.running, b.error, b.step);
+    const std::optional<std::string> ct = interpreter_ ? interpreter_->state() : std::nullopt;
+    if (at == bt && (!ct || at == *ct))
+      return std::nullopt;
+    return fmt::format("-O0 {}, -O2 {}{}", at, bt, ct ? ", the interpreter " + *ct : "");
   }
 
   template <class T>
@@ -161,7 +157,7 @@ private:
   const Stimulus stimulus_;
   Random random_;
   CompiledSide plain_, optimized_;
-  std::unique_ptr<Interpreter> interpreter_;  ///< of families that it knows
+  std::unique_ptr<Judge> interpreter_;  ///< of programs that one knows
   bool inputs_[32] = {};
   bool run_ = true;
   std::uint32_t now_ = 0xFFF00000u;  // the clock wraps around early in the run
@@ -169,8 +165,8 @@ private:
 
 }  // namespace
 
-std::optional<std::string> run_case(const CompiledCase &c, const RunSettings &settings, unsigned &stops) {
-  return Trial(c).run(settings.scans, stops);
+std::optional<std::string> run_case(const CompiledCase &c, const RunSettings &settings, Counts &counts) {
+  return Trial(c).run(settings.scans, counts);
 }
 
 }  // namespace ladderc::differential

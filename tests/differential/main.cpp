@@ -89,7 +89,8 @@ int main(int argc, char **argv) {
     replacement = (*text)->getBuffer().str();
     a.last = a.first;
   }
-  unsigned failures = 0, stops = 0, programs = 0;
+  unsigned failures = 0;
+  Counts counts;
   for (std::uint64_t seed = a.first; seed <= a.last;) {
     std::vector<Case> cases;
     for (; seed <= a.last && cases.size() < a.batch; ++seed) {
@@ -108,8 +109,7 @@ int main(int argc, char **argv) {
       continue;
     }
     for (const CompiledCase &c : compiled) {
-      ++programs;
-      const auto difference = run_case(c, a.run, stops);
+      const auto difference = run_case(c, a.run, counts);
       if (!difference)
         continue;
       ++failures;
@@ -124,6 +124,7 @@ int main(int argc, char **argv) {
     if (failures == 0)
       llvm::sys::fs::remove_directories(settings.folder);
   }
-  fmt::print("{} programs, {} scans each, {} stops, {} failures\n", programs, a.run.scans, stops, failures);
+  fmt::print("{} programs ({} judged by an interpreter), {} scans each, {} stops, {} failures\n", counts.programs, counts.judged,
+             a.run.scans, counts.stops, failures);
   return failures ? 1 : 0;
 }
