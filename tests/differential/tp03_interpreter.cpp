@@ -155,7 +155,7 @@ void Tp03Interpreter::power_on() {
   for (DeviceId id = 0; id < arrays_.size(); ++id)
     clear_unlatched(arrays_[id], id, family_, program_.parameters);
   forget_unlatched();
-  running_ = false;
+  running_ = stopped_ = false;
   set_run(true);
 }
 
@@ -191,9 +191,10 @@ void Tp03Interpreter::forget_unlatched() {
 void Tp03Interpreter::scan(std::uint32_t now_us) {
   elapsed_us_ = first_scan_ ? 0 : now_us - last_us_;
   last_us_ = now_us;
-  if (!running_)
+  if (!running_ || stopped_)
     return;
   ++scan_;
+  jumps_back_ = 0;
   leave_due_ = !left_.empty() || leave_due_;
   for (std::uint32_t state : left_)
     arrays_[states_].on[state] = 0;
@@ -271,7 +272,7 @@ bool Tp03Interpreter::run(std::size_t pc, std::size_t end, bool routine) {
   return true;
 }
 
-/// Where CJ goes on; kNowhere: END.
+/// Where CJ goes on; kNowhere: END. A loop without end stops the CPU, as the watchdog does, until power comes on again.
 std::size_t Tp03Interpreter::take_jump(std::size_t i, std::vector<LoopState> &loops) {
   const bool on = name(i) == "CJ" ? condition(i) : edge(i, 'P', condition(i)) && !first_scan_;
   if (!on)
@@ -280,6 +281,11 @@ std::size_t Tp03Interpreter::take_jump(std::size_t i, std::vector<LoopState> &lo
   if (operands(i)[0].value == kEnd)
     return kNowhere;
   const std::size_t target = labels_.at(operands(i)[0].value);
+  constexpr unsigned kMostJumpsBack = 100'000;
+  if (target < i && ++jumps_back_ > kMostJumpsBack) {
+    stopped_ = true;
+    return kNowhere;
+  }
   while (!loops.empty() && (target < loops.back().begin || target > loops.back().end))
     loops.pop_back();
   return target;

@@ -107,7 +107,8 @@ private:
   DeviceId states_ = kNoDevice;
   std::uint32_t last_us_ = 0, elapsed_us_ = 0;
   std::uint64_t scan_ = 0;
-  bool running_ = false, first_scan_ = false;
+  unsigned jumps_back_ = 0;  ///< of this scan
+  bool running_ = false, first_scan_ = false, stopped_ = false;
 };
 
 }  // namespace ladderc::differential
