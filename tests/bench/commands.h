@@ -10,7 +10,9 @@
 
 namespace ladderc::bench {
 
-inline void write(const std::filesystem::path &path, const std::string &text) { std::ofstream(path) << text; }
+inline void write(const std::filesystem::path &path, const std::string &text) {
+  std::ofstream(path) << text;
+}
 
 inline int run(const std::string &command) {
   std::fflush(stdout);

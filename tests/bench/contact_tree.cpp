@@ -51,7 +51,8 @@ std::string cpp_text(const Node &node) {
     return (node.closed ? "!" : "") + node.cpp;
   std::string text;
   for (const auto &child : node.children) {
-    const bool bare = child->kind == 'c' || child->kind == node.kind;
+    // Compilers warn of `!a & b`, which with numbers would often be a mistake.
+    const bool bare = child->kind == 'c' ? !child->compound && !(child->closed && text.empty()) : child->kind == node.kind;
     text += (text.empty() ? "" : fmt::format(" {} ", node.kind)) + (bare ? cpp_text(*child) : "(" + cpp_text(*child) + ")");
   }
   return text;

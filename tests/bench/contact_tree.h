@@ -28,10 +28,11 @@ private:
 
 /// A block of contacts.
 struct Node {
-  char kind = 'c';          ///< 'c' contact, '&', '|'
-  std::string list, cpp;    ///< of a contact: operands of the list, expression of the device
-  std::string sign;         ///< of a contact: what follows LD, AND, OR, as `>` or `P`; such contacts are not closed
+  char kind = 'c';        ///< 'c' contact, '&', '|'
+  std::string list, cpp;  ///< of a contact: operands of the list, expression of the device
+  std::string sign;       ///< of a contact: what follows LD, AND, OR, as `>` or `P`; such contacts are not closed
   bool closed = false;
+  bool compound = false;  ///< of a contact: `cpp` needs parentheses between & and |
   std::vector<std::unique_ptr<Node>> children;
 };
 

@@ -23,7 +23,9 @@ std::uint32_t random_number() {
   state ^= state << 5;
   return state;
 }
-bool random_bit() { return random_number() >> 31; }
+bool random_bit() {
+  return random_number() >> 31;
+}
 
 /// Sets a register of both.
 void set_register(unsigned number, int value) {

@@ -1,11 +1,11 @@
-// What an engineer without a compiler for lists would write by hand: plain arrays, plain structs, and a function for everything that
-// comes more than once. The functions of the program itself are in hand_*.cpp, written by the benchmark.
+// What an engineer without a compiler for lists would write by hand: plain arrays, plain structs, and a function for everything
+// that comes more than once. The functions of the program itself are in hand_*.cpp, written by the benchmark.
 #pragma once
 
 #include <algorithm>
-#include <iterator>
 #include <cstdint>
 #include <cstring>
+#include <iterator>
 
 #include "hand_sizes.h"
 
@@ -98,8 +98,8 @@ struct Hand {
   Bit x[256] = {}, y[256] = {}, m[kHandRelays] = {};
   HandTimer t[512];
   HandCounter c[200];
-  HandLongCounter c32[35];   // C200-C234
-  Bit down[35] = {};         // M8200-M8234
+  HandLongCounter c32[35];  // C200-C234
+  Bit down[35] = {};        // M8200-M8234
   std::int16_t d[kHandRegisters] = {};
   Bit zero = 0, borrow = 0, carry = 0;  // M8020-M8022
   Bit failed = 0;                       // M8067
@@ -127,8 +127,12 @@ private:
     carry = result > 32767;
     return stored;
   }
-  std::int16_t add(int a, int b) { return flagged(a + b); }
-  std::int16_t sub(int a, int b) { return flagged(a - b); }
+  std::int16_t add(int a, int b) {
+    return flagged(a + b);
+  }
+  std::int16_t sub(int a, int b) {
+    return flagged(a - b);
+  }
   std::int32_t add32(std::int32_t a, std::int32_t b) {
     std::int32_t sum;
     const bool overflow = __builtin_add_overflow(a, b, &sum);
@@ -150,7 +154,9 @@ private:
     std::memcpy(&value, &d[number], sizeof value);
     return value;
   }
-  void set_pair(unsigned number, std::int32_t value) { std::memcpy(&d[number], &value, sizeof value); }
+  void set_pair(unsigned number, std::int32_t value) {
+    std::memcpy(&d[number], &value, sizeof value);
+  }
   void divide(int a, int b, unsigned number, std::uint32_t step) {
     if (b == 0) {
       failed = 1;
@@ -184,5 +190,7 @@ private:
   bool timed = false;
 
 public:
-  Hand() { std::fill(std::begin(pulse_edge), std::end(pulse_edge), Bit(1)); }
+  Hand() {
+    std::fill(std::begin(pulse_edge), std::end(pulse_edge), Bit(1));
+  }
 };

@@ -1,8 +1,8 @@
-// Random rungs of a plant program: coils, timers, counters, and words under conditions. Each is written twice as it is made, as list
-// and as C++ over the arrays of mixed_plain.h.
+// Random rungs of a plant program: coils, timers, counters, and words under conditions. Each is written twice as it is made, as
+// list and as C++ over the arrays of mixed_plain.h.
 //
-// The C++ is what a good hand would write: what is ON always is not asked for, P forms of one rung share an edge, an instruction that
-// cannot fail has no check.
+// The C++ is what a good hand would write: what is ON always is not asked for, P forms of one rung share an edge, an instruction
+// that cannot fail has no check.
 #include "mixed_program.h"
 
 #include "contact_tree.h"
@@ -26,8 +26,12 @@ struct Text {
   std::string list, cpp;
 };
 
-Text constant(std::uint32_t value) { return {fmt::format("K{}", value), fmt::format("{}", value)}; }
-Text reg(std::uint32_t number) { return {fmt::format("D{}", number), fmt::format("d[{}]", number)}; }
+Text constant(std::uint32_t value) {
+  return {fmt::format("K{}", value), fmt::format("{}", value)};
+}
+Text reg(std::uint32_t number) {
+  return {fmt::format("D{}", number), fmt::format("d[{}]", number)};
+}
 
 /// Numbers in random order, each handed out once.
 class Pool {
@@ -56,9 +60,9 @@ std::vector<unsigned> range(unsigned first, unsigned last) {
 /// Timers that only count where they are executed: not those for routines and those in the background.
 std::vector<unsigned> timers() {
   std::vector<unsigned> numbers = range(0, 511);
-  numbers.erase(std::remove_if(numbers.begin(), numbers.end(),
-                               [](unsigned n) { return (n >= 192 && n <= 199) || (n >= 246 && n <= 249); }),
-                numbers.end());
+  numbers.erase(
+      std::remove_if(numbers.begin(), numbers.end(), [](unsigned n) { return (n >= 192 && n <= 199) || (n >= 246 && n <= 249); }),
+      numbers.end());
   return numbers;
 }
 
@@ -114,7 +118,8 @@ std::unique_ptr<Node> Maker::comparison() {
   const Text a = reg(random_.below(kRegisters)), b = source();
   node->sign = sign[0];
   node->list = a.list + " " + b.list;
-  node->cpp = fmt::format("({} {} {})", a.cpp, sign[1], b.cpp);
+  node->cpp = fmt::format("{} {} {}", a.cpp, sign[1], b.cpp);
+  node->compound = true;
   return node;
 }
 
@@ -269,7 +274,8 @@ void Maker::counter_rung(bool is_long) {
   condition(*counted);
   const Text set = is_long ? constant(1 + random_.below(100)) : set_value(20);
   line(fmt::format("OUT C{} {}", n, set.list));
-  statement(fmt::format("{}.count({}, {}{});", object, cpp_text(*counted), set.cpp, is_long ? fmt::format(", down[{}]", n - 200) : ""));
+  statement(
+      fmt::format("{}.count({}, {}{});", object, cpp_text(*counted), set.cpp, is_long ? fmt::format(", down[{}]", n - 200) : ""));
   begin_rung();
   const auto reset = tree(1 + random_.below(2), 0, 0);
   condition(*reset);
@@ -454,7 +460,7 @@ void Maker::last_rungs() {
     for (unsigned i = 1; i < length; ++i) {
       const auto one = contact(0, 0);
       program_.mix.contacts += write_list(*one, i == 1 ? "LD" : "AND", program_.list);
-      text += (i == 1 ? "" : " & ") + cpp_text(*one);
+      text += i > 1 ? " & " + cpp_text(*one) : one->closed ? "(" + cpp_text(*one) + ")" : cpp_text(*one);
     }
     const Text target = coil();
     line("OUT " + target.list);
@@ -483,6 +489,8 @@ MixedProgram Maker::make() {
 
 }  // namespace
 
-MixedProgram make_mixed_program(unsigned instructions, std::uint64_t seed) { return Maker(instructions, seed).make(); }
+MixedProgram make_mixed_program(unsigned instructions, std::uint64_t seed) {
+  return Maker(instructions, seed).make();
+}
 
 }  // namespace ladderc::bench
