@@ -22,7 +22,9 @@ struct Counter {
   /// written above the set value becomes the set value with the next pulse.
   template <class System> constexpr void count_up(bit pulse, word preset, const System &) noexcept {
     coil = pulse;
-    if (!(pulse & !reset_coil & !contact))
+    if (!pulse)  // alone and first: in most scans there is none
+      return;
+    if (reset_coil | contact)
       return;
     const word set = preset > 1 ? preset : word{1};
     if (value < set)

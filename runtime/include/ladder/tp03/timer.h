@@ -48,25 +48,34 @@ struct Timer {
     scan = now;
   }
 
+  // Timers are OFF or have expired in most scans: only that stands in the program, the rest is a call.
   template <std::uint32_t Unit, class System> constexpr void on_delay(bit condition, word set, const System &sys) noexcept {
-    if (!condition) {
-      value = 0;
-      contact = off;
-      rest_us = 0;
-      coil = off;
-      return;
-    }
-    accumulate<Unit>(condition, set, sys);
+    if (!condition)
+      reset();
+    else if (!contact)  // expired, the coil is ON already
+      measure<Unit>(set, sys);
   }
 
   template <std::uint32_t Unit, class System> constexpr void accumulate(bit condition, word set, const System &sys) noexcept {
-    preset = set;
+    if (condition)
+      measure<Unit>(set, sys);
+    else
+      coil = off;
+  }
+
+  /// The coil is ON. One copy for all timers of a unit, because programs have hundreds of them.
+  template <std::uint32_t Unit, class System> [[gnu::noinline]] constexpr void measure(word set, const System &sys) noexcept {
+    if (contact) {
+      coil = on;
+      return;
+    }
     const std::uint16_t now = static_cast<std::uint16_t>(sys.scan_number());
     const std::uint16_t passed = static_cast<std::uint16_t>(now - scan);
-    const bit running = condition & coil;
-    coil = condition;
+    const bool running = static_cast<bool>(coil);
+    preset = set;
     scan = now;
-    if (running & bit(passed != 0))
+    coil = on;
+    if (running && passed != 0)
       advance<Unit>(passed == 1 ? sys.elapsed_us() : 0, true);
   }
 
@@ -74,18 +83,22 @@ struct Timer {
   template <std::uint32_t Unit> constexpr void advance(std::uint32_t elapsed_us, bool switches) noexcept {
     if (contact)
       return;
+    const dword last = limit();
+    dword reached = value;
     if (elapsed_us < Unit - rest_us) {  // most scans are shorter than a unit: no division
       rest_us += elapsed_us;
+      if (!switches || reached < last)
+        return;
     } else {
       const std::uint32_t after_first = elapsed_us - (Unit - rest_us);
-      const std::int32_t total = value + static_cast<std::int32_t>(after_first / Unit + 1);
-      value = total < limit() ? static_cast<word>(total) : limit();
+      reached += static_cast<dword>(after_first / Unit + 1);
       rest_us = after_first % Unit;
     }
-    if (switches && value >= limit()) {
-      value = limit();  // where the program has written more
-      contact = on;
+    if (reached >= last) {
+      reached = last;  // also where the program has written more
+      contact |= bit(switches);
     }
+    value = static_cast<word>(reached);
   }
 
   constexpr void reset() noexcept {
