@@ -13,7 +13,8 @@ namespace ladder {
 class bit {
 public:
   constexpr bit() noexcept = default;
-  explicit constexpr bit(bool state) noexcept : value_(state ? 1 : 0) {}
+  /// A cast, because GCC makes jumps of `state ? 1 : 0`.
+  explicit constexpr bit(bool state) noexcept : value_(static_cast<std::uint8_t>(state)) {}
 
   /// The lowest bit of a pattern.
   static constexpr bit lowest_of(std::uint32_t pattern) noexcept {

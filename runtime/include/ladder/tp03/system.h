@@ -94,9 +94,12 @@ public:
 
   /// Rising edge for P forms: none in the first scan.
   template <class Memory> bit pulse(Memory &&memory, bit now) noexcept {
-    const bit before = memory;
-    memory = now;
-    return now & !before & !first_scan();
+    if (!now || static_cast<bit>(memory)) {  // most scans see no edge
+      memory = now;
+      return off;
+    }
+    memory = on;
+    return !first_scan();
   }
 
   /// M8020, M8021, M8022.
@@ -109,7 +112,8 @@ public:
 
   /// Fault: M8067 and D8067. None: the place that was in error is not any more.
   void check(Fault fault, std::uint32_t step) noexcept {
-    if (fault != Fault::None || is_on(8067))
+    const bool failed = fault != Fault::None;
+    if (failed | is_on(8067))  // one branch that is never taken in a plant that works
       report(fault, step);
   }
   /// False, and error 6706, where an index register led out of the devices. A place with its condition OFF reports nothing.
@@ -368,7 +372,7 @@ inline void System::watchdog_error() noexcept {
   show_errors();
 }
 
-inline void System::report(Fault fault, std::uint32_t step) noexcept {
+[[gnu::noinline]] inline void System::report(Fault fault, std::uint32_t step) noexcept {
   if (fault == Fault::None) {
     if (step != error_step_)
       return;
