@@ -20,10 +20,13 @@ struct Counter {
 
   /// A pulse counts one up to the set value (K0 acts as K1), where the contact closes and the value stands still. A value that was
   /// written above the set value becomes the set value with the next pulse.
-  template <class System> constexpr void count_up(bit pulse, word preset, const System &) noexcept {
-    coil = pulse;
-    if (!pulse)  // alone and first: in most scans there is none
+  /// `pulse` is a bit or a RisingEdge.
+  template <class Pulse, class System> constexpr void count_up(Pulse pulse, word preset, const System &) noexcept {
+    if (!static_cast<bool>(pulse)) {  // in most scans
+      coil = off;
       return;
+    }
+    coil = on;
     if (reset_coil | contact)
       return;
     const word set = preset > 1 ? preset : word{1};
