@@ -40,7 +40,7 @@ public:
     module_.family = program.family;
     module_.name = program.parameters.program_name;
     module_.points = program.parameters.points;
-    module_.routines.push_back({"main", {}});
+    module_.routines.emplace_back().name = "main";
     module_.routines.back().rungs.reserve(program.rungs);
   }
 

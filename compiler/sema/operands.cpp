@@ -59,7 +59,7 @@ std::uint32_t words_of(OperandType type) {
 /// A 32-bit counter holds two words under one number, and so does an index register whose high words are another class.
 std::uint32_t numbers_of(const DeviceInfo &device, OperandType type) {
   const std::uint32_t words = words_of(type);
-  const bool wide = device.kind == DeviceKind::LongCounter || (device.high_words != kNoDevice && is_32_bit(type));
+  const bool wide = device.kind == DeviceKind::LongCounter || (device.high_words != kNoDevice && words > 1);
   return wide ? (words + 1) / 2 : words;
 }
 

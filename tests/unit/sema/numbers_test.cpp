@@ -61,6 +61,7 @@ TEST(Numbers, RunsEndWithTheirClass) {
   EXPECT_THAT(tp03("LD X0\nDMOV K1 D7999"), are("2:9 runs-off-memory"));
   EXPECT_THAT(tp03("LD X0\nDMOV K1 D7998\nDMOV K1 C255"), are("3:9 no-such-device"));
   EXPECT_THAT(tp03("LD X0\nDMOV K1 C199\nDMOV K1 C254\nDMOV K1 Z15"), are("2:9 runs-off-memory"));
+  EXPECT_THAT(tp03("LD X0\nDIV D0 D2 Z15"), no_messages());  // the remainder goes to V15
   EXPECT_THAT(tp03("LD X0\nCMP K1 D0 M7678"), are("2:11 runs-off-memory"));
   EXPECT_THAT(tp03("LD X0\nMOV K4M7668 K4Y361"), are("2:5 runs-off-memory", "2:13 runs-off-memory"));
   EXPECT_THAT(tp03("LD X0\nCMP K1 D0 M7677"), no_messages());
