@@ -350,6 +350,8 @@ bool Ranges::is_forbidden(InstructionIndex index, Forbidden where) {
 
 void Ranges::push_scope(ScopeKind kind, InstructionIndex index) {
   const bool part = kind != ScopeKind::Loop && kind != ScopeKind::State;
+  if (part)
+    unwind(kMainScope);  // loops that stand behind the end of a routine
   scopes_.push_back({kind, part ? kMainScope : scope_, index});
   scope_ = static_cast<ScopeIndex>(scopes_.size() - 1);
 }

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <random>
+#include <utility>
 
 namespace ladderc::test {
 namespace {
@@ -101,7 +102,8 @@ private:
 
 /// The machine: "" if the program uses its stacks well, otherwise what went wrong.
 std::string run_on_stacks(const CheckedProgram &program) {
-  unsigned blocks = 0, branches = 0, rung = 0;
+  unsigned blocks = 0, branches = 0, rung = 0, loops = 0, skips = 0, buses = 0;
+  bool state = false, state_head = false, routine = false;
   std::vector<std::int64_t> levels;
   for (const Instruction &i : program.list.instructions) {
     if (!i.info)
@@ -136,7 +138,7 @@ std::string run_on_stacks(const CheckedProgram &program) {
       branches -= i.info->placement == Placement::PopBranch;
       break;
     case Placement::Output:
-      if (blocks != 1)
+      if (blocks != 1 && !(blocks == 0 && state_head))
         return "output";
       break;
     case Placement::Alone:
@@ -145,7 +147,54 @@ std::string run_on_stacks(const CheckedProgram &program) {
     case Placement::BetweenRungs:
       break;
     case Placement::End:
-      return branches == 0 && levels.empty() ? "" : "open at the end";
+      return branches == 0 && levels.empty() && loops == 0 && skips == 0 && buses == 0 && !state && !routine ? ""
+                                                                                                             : "open at the end";
+    }
+    state_head = state_head && i.info->placement != Placement::Start;
+    switch (i.info->lowering) {
+    case Lowering::State:
+      if (loops > 0 || routine)
+        return "state";
+      state = state_head = true;
+      break;
+    case Lowering::StateEnd:
+      if (!std::exchange(state, false) || loops > 0)
+        return "state end";
+      break;
+    case Lowering::Loop:
+      ++loops;
+      break;
+    case Lowering::LoopEnd:
+      if (loops-- == 0)
+        return "loop end";
+      break;
+    case Lowering::BusStart:
+      ++buses;
+      break;
+    case Lowering::BusEnd:
+      buses = 0;
+      break;
+    case Lowering::Skip:
+      ++skips;
+      break;
+    case Lowering::SkipEnd:
+      skips = 0;
+      break;
+    case Lowering::MainEnd:
+      if (routine || state || loops > 0 || buses > 0 || skips > 0)
+        return "main end";
+      break;
+    case Lowering::InterruptLabel:
+      if (routine || state || loops > 0)
+        return "interrupt";
+      routine = true;
+      break;
+    case Lowering::InterruptReturn:
+      if (!std::exchange(routine, false))
+        return "interrupt end";
+      break;
+    default:
+      break;
     }
     std::int64_t level = i.operand_count > 0 ? program.list.operands_of(i)[0].value : 0;
     if (i.info->lowering == Lowering::MasterControl) {
@@ -161,6 +210,61 @@ std::string run_on_stacks(const CheckedProgram &program) {
     }
   }
   return "no END";
+}
+
+/// Any sequence of instructions of the TP03, with flow in it.
+std::string any_flow(unsigned seed) {
+  static constexpr const char *kLines[] = {"LD X0\nOUT Y0",
+                                           "LD X0\nOUT Y0",
+                                           "LD M8000\nINC D0",
+                                           "STL S0",
+                                           "STL S20",
+                                           "RET",
+                                           "FOR K2",
+                                           "NEXT",
+                                           "LD X0\nMC N0 M5",
+                                           "MCR N0",
+                                           "LD X0\nSMCS",
+                                           "SMCR",
+                                           "LD X0\nJCS",
+                                           "JCR",
+                                           "P1",
+                                           "P2",
+                                           "LD X0\nCJ P1",
+                                           "LD X0\nCALL P2",
+                                           "SRET",
+                                           "I001",
+                                           "IRET",
+                                           "FEND",
+                                           "OUT Y1",
+                                           "LD X0\nSET S20",
+                                           "LD X0\nCJ P63",
+                                           "EI",
+                                           "AND X1",
+                                           "LD X0\nMPS",
+                                           "MPP",
+                                           "LD X0\nCJ P0Z0",
+                                           "LD X0\nOUT T0 K1",
+                                           "NOP"};
+  std::mt19937 random(seed);
+  std::string text;
+  for (unsigned n = random() % 14 + 1; n > 0; --n)
+    text += std::string(kLines[random() % std::size(kLines)]) + "\n";
+  return text + "END\n";
+}
+
+TEST(Random, AcceptedFlowIsClosed) {
+  unsigned accepted = 0;
+  for (unsigned seed = 0; seed < 5'000; ++seed) {
+    std::string list = any_flow(seed);
+    auto checked = check_text(list, "{}", Controller{"tp03"});
+    ASSERT_EQ(checked->program.ok, checked->diagnostics->errors() == 0);
+    if (!checked->program.ok)
+      continue;
+    ++accepted;
+    ASSERT_EQ(run_on_stacks(checked->program), "") << "seed " << seed << "\n" << list;
+  }
+  EXPECT_GT(accepted, 80u);
 }
 
 TEST(Random, LegalListsGetNoMessage) {

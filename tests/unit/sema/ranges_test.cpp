@@ -50,6 +50,10 @@ TEST(Loops, PairAndNest) {
   EXPECT_THAT(tp03(numbered("FOR K{}\n", 1, 18) + "LD X0\nINC D0\n" + numbered("NEXT\nNOP\n", 1, 18)), are("17:1 loop-too-deep"));
 }
 
+TEST(Loops, BehindTheEndOfTheMainProgramAreClosed) {
+  EXPECT_THAT(tp03("FEND\nFOR K2\nP2\nNOP\nSRET"), testing::Contains("2:1 loop-not-closed"));
+}
+
 TEST(Loops, HoldNoRegionsAndNoEnds) {
   EXPECT_THAT(tp03("FOR K2\nLD M8000\nINC D0\nFEND\nNEXT"), are("4:1 in-loop"));
   EXPECT_THAT(tp03("FOR K3\nLD X0\nMC N0 M100\nLD X1\nOUT Y0\nMCR N0\nNEXT"), are("3:1 in-loop"));
